@@ -1,22 +1,27 @@
-"""The catalogue of sentences: web_static/words/LANGUAGE/, read by fluent.runtime; numbers and lists by Babel.
+"""The catalogue of sentences: web_static/words/LANGUAGE/, read by fluent.runtime; numbers, dates and lists by Babel.
 
 Only `app/texts.py` imports it, when the first sentence is made: the control process makes none.
 """
 
 from collections.abc import Sequence
+from datetime import date, datetime, time
 from functools import cache
 from typing import Any, Final
 
+from babel import Locale
+from babel.dates import format_date, format_time
 from babel.lists import format_list
 from babel.numbers import get_decimal_symbol
-from fluent.runtime import FluentBundle, FluentResource
-from fluent.runtime.types import fluent_number
+from fluent.runtime import FluentBundle, FluentResource, resolver
+from fluent.runtime.types import FluentType, fluent_number
 
 from app.settings import static_folder
 
 LARGEST: Final = 1e9  # of a number that Fluent writes
 MINUS: Final = "\u2212"
 LOCALES: Final = {"en": "en_GB"}  # for dates and lists, where it is not the language: "a, b and c"
+DAYS: Final = {"en": "yyyy-MM-dd"}  # how a day is written, where it is not the usual way of the language
+resolver.MAX_PART_LENGTH = 1_000_000  # characters of a value; with more, the whole message would be "{???}"
 
 
 def sentence(language: str, message: str, values: dict[str, Any]) -> str:
@@ -37,6 +42,21 @@ def figure(language: str, value: float, digits: int) -> str:
     """Return a number with a fixed count of decimals, and the sign for minus."""
     written = f"{round(value, digits) + 0.0:.{digits}f}"  # + 0.0: never -0
     return written.replace("-", MINUS).replace(".", get_decimal_symbol(_locale(language)))
+
+
+def written(language: str, value: Any) -> str:
+    """Return a value of a message as the message writes it."""
+    return value.format(Locale.parse(_locale(language))) if isinstance(value, FluentType) else str(value)
+
+
+def moment(language: str, value: date | time) -> str:
+    """Return a day, a time of day, or both of a `datetime` in this computer's time zone."""
+    if isinstance(value, datetime):
+        local = value.astimezone()
+        return f"{moment(language, local.date())} {moment(language, local.time())}"
+    if isinstance(value, time):
+        return format_time(value, "short", locale=_locale(language))
+    return format_date(value, DAYS.get(language, "medium"), locale=_locale(language))
 
 
 def joined(language: str, items: Sequence[str]) -> str:

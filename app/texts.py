@@ -7,6 +7,7 @@ passes and stores ids with values; the sentence is made where somebody reads it.
 from collections.abc import Iterator, Mapping, Sequence
 from contextlib import contextmanager
 from contextvars import ContextVar
+from datetime import date, datetime, time
 from typing import Any, Final, NamedTuple, Union
 
 from pydantic import GetCoreSchemaHandler
@@ -25,8 +26,12 @@ class Figure(NamedTuple):
     digits: int = 0
 
 
-Value = Union[str, int, float, Figure, "Text", Exception, Sequence["Value"]]
-"""A value of a text. A list becomes "a, b and c"; an exception stands for the text that it was raised with."""
+Value = Union[str, int, float, Figure, date, datetime, time, "Text", Exception, Sequence["Value"]]
+"""A value of a text. A list becomes "a, b and c"; an exception stands for the text that it was raised with.
+
+A `datetime` is shown as the day and the time of day in this computer's time zone.
+"""
+MOMENTS: Final = {kind.__name__: kind for kind in (date, datetime, time)}
 
 
 class Text:
@@ -75,6 +80,11 @@ class Text:
         return {"type": "string"}
 
 
+def value_text(value: Value) -> str:
+    """Return a value as it stands in a sentence in the language of the reader, for a cell of a table."""
+    return _written(value, _language.get())
+
+
 def text_of(error: Exception) -> Text | str:
     """Return the text that an exception was raised with, its message when it was raised with a string."""
     first = error.args[0] if len(error.args) == 1 else None
@@ -114,7 +124,7 @@ def reader_language(language: str) -> Iterator[None]:
 def _kept(value: Value) -> Value:
     if isinstance(value, Exception):
         return text_of(value)
-    if isinstance(value, str | int | float | Figure | Text):
+    if isinstance(value, str | int | float | Figure | date | time | Text):
         return value
     return tuple(_kept(item) for item in value)
 
@@ -128,6 +138,8 @@ def _value_document(value: Value) -> Any:
         return to_document(value)
     if isinstance(value, Figure):
         return {"number": value.number, "digits": value.digits}
+    if isinstance(value, date | time):
+        return {type(value).__name__: value.isoformat()}
     if isinstance(value, str | int | float):
         return value
     assert not isinstance(value, Exception)  # a text has none
@@ -138,6 +150,8 @@ def _value_of(document: Any) -> Value:
     if isinstance(document, list):
         return tuple(_value_of(item) for item in document)
     if isinstance(document, dict):
+        for kind in MOMENTS.keys() & document.keys():
+            return MOMENTS[kind].fromisoformat(document[kind])
         return from_document(document) if "text" in document else Figure(**document)
     value: str | int | float = document
     return value
@@ -153,4 +167,13 @@ def _shown(value: Value, language: str) -> Any:
         return str(value)
     if isinstance(value, int | float):
         return catalogue.number(value)
-    return catalogue.joined(language, [str(_shown(item, language)) for item in value])
+    if isinstance(value, date | time):
+        return catalogue.moment(language, value)
+    return catalogue.joined(language, [_written(item, language) for item in value])
+
+
+def _written(value: Value, language: str) -> str:
+    """Return a value as it stands in the sentence, a number as well."""
+    from app import fluent_catalogue as catalogue  # noqa: PLC0415  # the control process never gets here
+
+    return catalogue.written(language, _shown(value, language))

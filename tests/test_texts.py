@@ -1,18 +1,25 @@
 """Texts: the sentence of an id in the reader's language, and what is kept of it."""
 
 import pickle
+from datetime import UTC, date, datetime, time
 
 import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 from pydantic import BaseModel
 
-from app.texts import Figure, Text, from_document, reader_language, text_of, to_document
+from app.texts import Figure, Text, from_document, reader_language, text_of, to_document, value_text
 
 PATH = Text("drive-no-path", path="Corridor")
 IN_ENGLISH = "This floor plan has no path “Corridor” any more: choose another task."
 VALUES = st.recursive(
-    st.text() | st.integers() | st.floats(allow_nan=False) | st.builds(Figure, st.floats(-1e6, 1e6), st.integers(0, 6)),
+    st.text()
+    | st.integers()
+    | st.floats(allow_nan=False)
+    | st.builds(Figure, st.floats(-1e6, 1e6), st.integers(0, 6))
+    | st.dates()
+    | st.datetimes(timezones=st.just(UTC))
+    | st.times(),
     lambda inner: st.lists(inner).map(tuple) | st.builds(lambda value: Text("any", value=value), inner),
     max_leaves=8,
 )
@@ -40,13 +47,20 @@ def test_a_sentence_is_in_the_language_of_the_reader():
         ([Text("drive-title"), Figure(1.5, 1)], "Where to? and 1.5", "Wohin? und 1,5"),
         (ValueError(Text("drive-title")), "Where to?", "Wohin?"),
         (1200.5, "1200.5", "1200,5"),
+        ([46.0, 0.25], "46 and 0.25", "46 und 0,25"),
+        (date(2026, 11, 9), "2026-11-09", "09.11.2026"),
+        (time(9, 5), "09:05", "09:05"),
+        (datetime(2026, 11, 9, 14, 5).astimezone(), "2026-11-09 14:05", "09.11.2026 14:05"),
+        ("x" * 3000, "x" * 3000, "x" * 3000),
     ],
 )
 def test_a_value_is_written_as_its_language_does(value, english, german):
     text = Text("drive-no-path", path=value)
     assert f"“{english}”" in str(text)
+    assert value_text(value) == english
     with reader_language("de"):
         assert german in str(text)
+        assert value_text(value) == german
 
 
 def test_a_number_chooses_the_plural():

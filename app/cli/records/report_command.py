@@ -12,6 +12,7 @@ from app.cli.errors import InputError
 from app.cli.output import check_new_folder, write_output
 from app.cli.records.written_files import patient_named
 from app.refusals import Conflict, Refusal
+from app.texts import ENGLISH, LANGUAGES, Text
 
 if TYPE_CHECKING:
     from app.features.reports.document import Form
@@ -27,6 +28,9 @@ def report(
     for_patient: Annotated[
         bool, typer.Option("--for-patient", help="A copy for the patient: needs no consent to sharing outside.")
     ] = False,
+    language: Annotated[
+        str, typer.Option(metavar="LANGUAGE", help=f"The language of the report: one of {', '.join(LANGUAGES)}.")
+    ] = ENGLISH,
     state: State = None,
 ) -> None:
     """Write the report of a patient's session, or of all sessions; the clinic may be open meanwhile."""
@@ -36,6 +40,8 @@ def report(
     from app.session.clinic_spread import ClinicSpread
 
     form = _form_of(out)
+    if language not in LANGUAGES:
+        raise InputError(Text("report-no-language", language=language, languages=", ".join(LANGUAGES)))
     check_new_folder(out.parent)
     settings = settings_of(state)
     with open_clinic(settings) as (database, _), closing(ComputingProcess()) as computing:
@@ -50,7 +56,7 @@ def report(
             raise InputError(str(refusal).removesuffix(".") + ": add --for-patient.") from refusal
         except Refusal as refusal:
             raise InputError(str(refusal)) from refusal
-    write_output(out, report_file(material, form, "us-letter" if letter else "a4"))
+    write_output(out, report_file(material, form, "us-letter" if letter else "a4", language))
     typer.echo(f"{out} is written.")
 
 

@@ -26,6 +26,7 @@ from app.store.log import log_viewing, write_log
 from app.store.patients import find_patient
 from app.store.runs import find_trial
 from app.store.tables import Trial
+from app.texts import Text
 
 router = APIRouter(tags=["review"])
 
@@ -148,7 +149,7 @@ def _trial(db: Transaction, trial_id: int) -> Trial:
     trial = find_trial(db, trial_id)
     find_patient(db, trial.patient_id)
     if trial.status != "done":
-        raise NotFound("This trial is still running: look at it when it has ended.")
+        raise NotFound(Text("comments-trial-running"))
     return trial
 
 

@@ -13,6 +13,7 @@ from app.store.access.person_tables import Person
 from app.store.own_rows import own_row
 from app.store.patients import find_patient
 from app.store.tables import Patient, Trial
+from app.texts import Text
 
 MOST_COMMENTS = 200  # of one trial
 
@@ -39,8 +40,7 @@ class Comment:
 
 def find_comment(db: Session, comment_id: int) -> MomentComment:
     """Return one of the clinic's comments; its patient is visible and not deleted."""
-    missing = f"There is no comment {comment_id}: choose one of the trial's comments."
-    comment = own_row(db, MomentComment, comment_id, missing)
+    comment = own_row(db, MomentComment, comment_id, Text("comments-missing", number=comment_id))
     find_patient(db, db.get_one(Trial, comment.trial_id).patient_id)
     return comment
 
@@ -115,7 +115,7 @@ def comment_history(db: Session, comment_id: int) -> list[CommentRevision]:
 def add_comment(db: Session, trial: Trial, person_id: int, t: float, text: str) -> MomentComment:
     """Write a comment on a moment (s) of a trial; its author has read it."""
     if len(comments_of(db, trial_id=trial.id)) >= MOST_COMMENTS:
-        raise Conflict(f"A trial has at most {MOST_COMMENTS} comments: revise one of yours.")
+        raise Conflict(Text("comments-most", count=MOST_COMMENTS))
     comment = MomentComment(
         clinic_id=trial.clinic_id, trial_id=trial.id, person_id=person_id, author=None, t=round(t, 3), withdrawn=None
     )
@@ -155,6 +155,6 @@ def _revise(db: Session, comment: MomentComment, text: str) -> None:
 
 def _require_author(comment: MomentComment, person_id: int) -> None:
     if comment.person_id != person_id:
-        raise Conflict("Only its author changes a comment: write one of your own.")
+        raise Conflict(Text("comments-not-author"))
     if comment.withdrawn is not None:
-        raise Conflict("This comment was withdrawn: write a new one.")
+        raise Conflict(Text("comments-withdrawn-already"))

@@ -10,6 +10,7 @@ from app.features.consents.tables import PatientConsent
 from app.refusals import Conflict
 from app.store.consent import Consent
 from app.store.tables import Patient
+from app.texts import Text
 
 
 def consent_history(db: Session, patient_id: int) -> list[PatientConsent]:
@@ -25,7 +26,7 @@ def give_consent(db: Session, patient_id: int, consent: Consent, day: date, pers
     """
     now = utc_now()
     if day > now.astimezone().date():
-        raise Conflict("A consent is given today or was given before: choose a day that is not in the future.")
+        raise Conflict(Text("consents-future"))
     before = _in_force(db, patient_id, consent)
     if before is not None and before.given == day:
         return False

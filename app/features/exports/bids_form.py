@@ -16,6 +16,7 @@ from numpy.typing import NDArray
 from app.features.exports.csv_tables import channel_names
 from app.recording.format import Columns
 from app.recording.groups import RunGroups
+from app.texts import Text
 
 LATENCY = ("latency", "n/a", "LATENCY", "n/a", "s")
 CHAIR = {  # recorded column -> name, component, type, tracked point, unit
@@ -27,13 +28,7 @@ CHAIR = {  # recorded column -> name, component, type, tracked point, unit
     "driven_v": ("chair_driven_v", "x", "VEL", "wheelchair", "m/s"),
     "driven_omega": ("chair_driven_omega", "z", "GYRO", "wheelchair", "rad/s"),
 }
-README = (
-    "Signals of a shirt with strain sensors, and the wheelchair that they drove, by bodydrive.\n\n"
-    "tracksys-shirt: the channels of the shirt, one row for each frame that came.\n"
-    "tracksys-wheelchair: pose and commands, one row for each turn of the control loop.\n"
-    "Each motion file begins with the column LATENCY: seconds since the start of the run.\n"
-    "The sidecar of each file says whether the signals are simulated (BodydriveSource).\n"
-)
+README = Text("exports-bids-readme")
 
 
 def label(text: str) -> str:
@@ -44,7 +39,7 @@ def label(text: str) -> str:
 def dataset_files(folder: Path, patient: str, version: str) -> list[Path]:
     """Write the files that describe the data set; return them."""
     description = {
-        "Name": f"bodydrive recordings of {patient}",
+        "Name": str(Text("exports-bids-name", patient=patient)),
         "BIDSVersion": "1.10.0",
         "DatasetType": "raw",
         "License": "n/a",
@@ -53,7 +48,7 @@ def dataset_files(folder: Path, patient: str, version: str) -> list[Path]:
     }
     contents = {
         "dataset_description.json": json.dumps(description, indent=2),
-        "README": README,
+        "README": f"{README}\n",
         "participants.tsv": f"participant_id\nsub-{label(patient)}\n",
     }
     for name, content in contents.items():

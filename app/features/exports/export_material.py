@@ -16,9 +16,10 @@ from app.store.learning_trials import counted_trials
 from app.store.log import write_log
 from app.store.patients import find_patient
 from app.store.people import clinic_mark
+from app.texts import Text
 
 SIMULATED_WORDS = {True: "yes", False: "no", None: "unknown"}
-NOTHING = "There is nothing to export: nothing was recorded."
+NOTHING = Text("exports-nothing")
 
 # Times the size of the recordings: the zip file of their CSV, and a recording as text beside it while it is packed. The
 # text of a simulated trial is 2.1 times its recording.
@@ -108,7 +109,7 @@ def run_facts(code: str, run: RecordedRun, meta: dict[str, Any], damage: str) ->
         "kind": run.kind,
         "task": run.task,
         "trial": "" if trial is None else str(trial.number),
-        "interruptions": "" if trial is None else interruption_text(trial.measures),
+        "interruptions": "" if trial is None else str(interruption_text(trial.measures) or ""),
         "test": "" if run.test is None else str(run.test.number),
         "started": run.started.isoformat(),
         "source": source_description(run.source),

@@ -4,7 +4,7 @@ See https://hl7.org/fhir/R4B/observation.html; units are UCUM codes.
 """
 
 import uuid
-from typing import Any
+from typing import Any, Literal
 
 from app import __version__
 from app.features.exports.export_material import ExportMaterial
@@ -12,10 +12,11 @@ from app.features.exports.recorded_runs import RecordedRun, RecordedTest, Record
 from app.scoring.interface_test.interface_course import COMPLETE
 from app.scoring.measures import EXPORTED, TEST_MEASURES, Measure, is_number
 from app.source import source_description
+from app.texts import Text
 
 UCUM = "http://unitsofmeasure.org"
 MEASURE_CODES = "urn:bodydrive:measure"
-TEST_METHOD = "Two-minute test: targets on a cross, reached with a cursor, while no chair moves"
+TEST_METHOD = Text("exports-method-test")
 TEST_DATA = {"system": "http://terminology.hl7.org/CodeSystem/v3-ActReason", "code": "HTEST"}  # nobody's health
 
 
@@ -29,12 +30,11 @@ def fhir_bundle(material: ExportMaterial, verdicts: dict[int, dict[str, str]]) -
     ]
     for run in material.runs:
         if run.trial is not None and run.trial.kept:
-            method, verdict = f"{run.trial.title}, path {run.trial.path}", verdicts.get(run.trial.id, {})
-            observations = _observations(run, run.trial, f"trial {run.trial.number}", method, EXPORTED, verdict)
+            method = Text("exports-method-trial", plan=run.trial.title, path=run.trial.path)
+            verdict = verdicts.get(run.trial.id, {})
+            observations = _observations(run, run.trial, "trial", method, EXPORTED, verdict)
         elif run.test is not None and run.test.end == COMPLETE:
-            observations = _observations(
-                run, run.test, f"two-minute test {run.test.number}", TEST_METHOD, TEST_MEASURES, {}
-            )
+            observations = _observations(run, run.test, "test", TEST_METHOD, TEST_MEASURES, {})
         else:
             continue
         references = {"subject": {"reference": patient}, "device": {"reference": device}}
@@ -48,15 +48,19 @@ def fhir_bundle(material: ExportMaterial, verdicts: dict[int, dict[str, str]]) -
 def _observations(
     run: RecordedRun,
     done: RecordedTrial | RecordedTest,
-    what: str,
-    method: str,
+    kind: Literal["trial", "test"],
+    method: Text,
     measures: dict[str, Measure],
     verdicts: dict[str, str],
 ) -> dict[str, dict[str, Any]]:
     """Return an Observation for each measure that a trial or a test has, without its patient and device."""
-    note = (
-        f"{source_description(run.source)}. Session {run.session}, {what}. "
-        f"Map version {done.map_version}, parameter set {done.parameters_hash}."
+    note = Text(
+        f"exports-note-{kind}",
+        source=source_description(run.source),
+        session=run.session,
+        number=done.number,
+        version=done.map_version,
+        hash=done.parameters_hash,
     )
     return {
         name: {
@@ -64,14 +68,14 @@ def _observations(
             **({"meta": {"security": [TEST_DATA]}} if run.source.simulated else {}),
             "status": "final",
             "code": {
-                "coding": [{"system": MEASURE_CODES, "code": name, "display": measure.defined_as}],
-                "text": measure.defined_as,
+                "coding": [{"system": MEASURE_CODES, "code": name, "display": str(measure.defined_as)}],
+                "text": str(measure.defined_as),
             },
             "effectiveDateTime": done.started.isoformat(),
             "valueQuantity": {"value": done.measures[name], "unit": measure.ucum, "system": UCUM, "code": measure.ucum},
-            "method": {"text": method},
+            "method": {"text": str(method)},
             **({"interpretation": [{"text": verdicts[name]}]} if verdicts.get(name) else {}),
-            "note": [{"text": note}],
+            "note": [{"text": str(note)}],
         }
         for name, measure in measures.items()
         if is_number(done.measures.get(name))

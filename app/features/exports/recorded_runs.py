@@ -13,8 +13,7 @@ from app.refusals import NotFound
 from app.source import Source
 from app.store.origins import Origin, origins_of
 from app.store.tables import InterfaceTest, ParameterSet, PatientSession, Profile, Run, Trial
-
-NO_SESSION = "This patient has no session {number}: choose one that was opened."
+from app.texts import Text
 
 
 @dataclass(frozen=True, slots=True)
@@ -88,7 +87,7 @@ def recorded_runs(db: Session, patient_id: int, session: int | None, runs: Path)
             PatientSession.patient_id == patient_id, PatientSession.number == session
         )
         if db.scalar(chosen) is None:
-            raise NotFound(NO_SESSION.format(number=session))
+            raise NotFound(Text("exports-no-session", session=session))
         query = query.where(PatientSession.number == session)
     origins = origins_of(db, patient_id)
     trials, tests = _trials(db, patient_id), _tests(db, patient_id)

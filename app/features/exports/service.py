@@ -20,6 +20,7 @@ from app.features.exports.recorded_runs import RecordedRun
 from app.features.exports.xdf_form import write_xdf
 from app.package import FAST, Step, add_file, entry
 from app.recording.groups import RunGroups, read_in_groups
+from app.texts import Text
 
 IGNORED = "trials.csv\ninterface_tests.csv\nexport.json\n*.missing.txt\n"  # of a BIDS validator
 
@@ -58,7 +59,7 @@ def _add_run(code: str, form: Form, run: RecordedRun, package: Path) -> int:
         try:
             recorded = read_in_groups(run.folder)
         except ValueError:
-            opened.writestr(entry(f"{run.stem}.missing.txt"), "The recording of this run is missing.\n")
+            opened.writestr(entry(f"{run.stem}.missing.txt"), f"{Text('exports-recording-missing')}\n")
             return opened.start_dir
         if not recorded.meta:
             opened.writestr(entry(f"{run.stem}.missing.txt"), f"{recorded.loss}\n")
@@ -69,7 +70,7 @@ def _add_run(code: str, form: Form, run: RecordedRun, package: Path) -> int:
 
 
 def _run_files(code: str, form: Form, run: RecordedRun, recorded: RunGroups, folder: Path) -> list[Path]:
-    facts = run_facts(code, run, recorded.meta, recorded.loss)
+    facts = run_facts(code, run, recorded.meta, str(recorded.loss or ""))
     if form == "bids":
         place = {"patient": code, "session": run.session, "task": run.task, "run": run.number}
         return bids_form.write_bids(recorded, facts, folder, place)

@@ -22,6 +22,7 @@ from app.session.runs import SessionRun
 from app.store.log import write_log
 from app.store.parameters import current_parameters
 from app.store.tables import InterfaceTest, InterfaceTestEnding, PatientSession, Run
+from app.texts import Text
 from app.world.cursor_task import CursorPlan, CursorTask
 
 SILENT = 2.0  # s without a frame of the shirt, after which a test ends: the cursor stands, and nobody made it stand
@@ -73,7 +74,7 @@ class InterfaceTestFlow(RunFlow[RunningInterfaceTest]):
         """Begin an interface test and return its id; its number decides the order of the targets."""
         tick = self._control.newest()
         if tick is not None and int(tick["state"]) == State.FAULT:
-            raise Conflict("A stop is in force: take it back first, then start the two-minute test.")
+            raise Conflict(Text("tests-stop-in-force"))
         async with self._alone():
             parameters_id, number = await asyncio.to_thread(self._prepared, session.patient_id)
             plan = self.plan_of(number)

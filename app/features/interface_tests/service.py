@@ -12,6 +12,7 @@ from app.refusals import Conflict
 from app.scoring.interface_test.interface_measures import interface_measures, replay_task
 from app.store.own_rows import own_row
 from app.store.tables import InterfaceTest, PatientSession, Run
+from app.texts import Text
 from app.world.cursor_task import CursorPlan
 
 
@@ -60,13 +61,13 @@ def finish_interface_test(db: Session, test_id: int, end: str, measures: dict[st
 
 def find_interface_test(db: Session, test_id: int) -> InterfaceTest:
     """Return one of the clinic's interface tests."""
-    return own_row(db, InterfaceTest, test_id, f"There is no two-minute test {test_id}: choose one of the list.")
+    return own_row(db, InterfaceTest, test_id, Text("tests-missing", number=test_id))
 
 
 def save_workload(db: Session, test_id: int, answers: dict[str, Any] | None) -> InterfaceTest:
     """Store how demanding a test felt; None: nothing was answered."""
     test = find_interface_test(db, test_id)
     if test.status != "done":
-        raise Conflict("The two-minute test is still running: end it first, then ask how demanding it was.")
+        raise Conflict(Text("tests-still-running"))
     test.workload = answers
     return test

@@ -12,6 +12,7 @@ from app.features.records.sign_off import SignOff, sign_off_of
 from app.features.records.tables import NoteRevision, OutcomeScale, SessionNote
 from app.refusals import Conflict, NotFound
 from app.store.tables import PatientSession
+from app.texts import Text
 
 MOST_NOTES = 100
 MOST_SCALES = 50
@@ -76,7 +77,7 @@ def write_goal(db: Session, session_id: int, goal: str) -> None:
 def add_note(db: Session, session_id: int, text: str, person: str) -> int:
     """Add a note and return its id."""
     if len(_notes(db, session_id)) >= MOST_NOTES:
-        raise Conflict(f"A session has at most {MOST_NOTES} notes: revise one of them.")
+        raise Conflict(Text("records-most-notes", count=MOST_NOTES))
     note = SessionNote(session_id=session_id)
     db.add(note)
     db.flush()
@@ -88,7 +89,7 @@ def revise_note(db: Session, session_id: int, note_id: int, text: str, person: s
     """Give a note a new text, and return whether it differs; the text before stays in its history."""
     note = db.get(SessionNote, note_id)
     if note is None or note.session_id != session_id:
-        raise NotFound(f"There is no note {note_id} in this session: choose one of its notes.")
+        raise NotFound(Text("records-no-note", number=note_id))
     if note_history(db, note_id)[-1].text == text:
         return False
     _revise(db, note, text, person)
@@ -98,7 +99,7 @@ def revise_note(db: Session, session_id: int, note_id: int, text: str, person: s
 def add_scale(db: Session, session_id: int, name: str, total: float, day: date) -> int:
     """Add the total of an outcome scale and return its id."""
     if len(_scales(db, session_id)) >= MOST_SCALES:
-        raise Conflict(f"A session has at most {MOST_SCALES} scales: remove one first.")
+        raise Conflict(Text("records-most-scales", count=MOST_SCALES))
     scale = OutcomeScale(session_id=session_id, name=name, total=total, day=day)
     db.add(scale)
     db.flush()
@@ -109,7 +110,7 @@ def remove_scale(db: Session, session_id: int, scale_id: int) -> None:
     """Remove a scale."""
     row = db.get(OutcomeScale, scale_id)
     if row is None or row.session_id != session_id:
-        raise NotFound(f"There is no scale {scale_id} in this session: choose one of its scales.")
+        raise NotFound(Text("records-no-scale", number=scale_id))
     db.delete(row)
     db.flush()
 

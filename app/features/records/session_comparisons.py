@@ -26,12 +26,13 @@ from app.store.parameters import as_document
 from app.store.patients import find_session
 from app.store.session_contents import UsedSet, set_of, sets_of_session, trials_of_session
 from app.store.tables import InterfaceTest, PatientSession, Trial
+from app.texts import Text
 from app.world.path_titles import path_title
 
 router = APIRouter(tags=["records"])
 
-OTHER_PATIENT = "These two sessions are not of one patient: choose two sessions of the same list."
-SAME_SESSION = "These are one and the same session: choose two."
+OTHER_PATIENT = Text("records-other-patient")
+SAME_SESSION = Text("records-same-session")
 
 
 class ComparedTests(Document):

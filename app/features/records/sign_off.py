@@ -15,11 +15,8 @@ from app.clock import utc_now
 from app.features.records.tables import NoteRevision, OutcomeScale, SessionNote, SessionSignOff
 from app.refusals import Conflict
 from app.store.tables import CalibrationStep, Drive, InterfaceTest, PatientSession, Profile, Run, Table, Trial
+from app.texts import Text
 
-SIGNED = (
-    "Session {number} was signed off by {person} on {at:%Y-%m-%d at %H:%M}, so nothing of it can be changed: "
-    "an owner can unlock it."
-)
 # Tables whose rows belong to one session. Parameters are the patient's, and go on after a session.
 OF_A_SESSION = (
     *(PatientSession, CalibrationStep, Run, Profile, Trial, Drive, InterfaceTest),
@@ -69,7 +66,7 @@ def sign_off(db: Session, session: PatientSession, person: str) -> SignOff:
     drive = select(Drive.id).where(Drive.session_id == session.id, Drive.ended.is_(None)).limit(1)
     test = select(InterfaceTest.id).where(InterfaceTest.session_id == session.id, InterfaceTest.status == "running")
     if any(db.scalar(going_on) is not None for going_on in (trial, drive, test.limit(1))):
-        raise Conflict("Something of this session is still being driven or tested: end it first, then sign off.")
+        raise Conflict(Text("records-still-driven"))
     session.ended = session.ended or utc_now()
     db.flush()
     row = SessionSignOff(
@@ -84,7 +81,7 @@ def unlock(db: Session, session: PatientSession, person: str, reason: str) -> Se
     """Unlock a session that is signed off, for a reason; the sign-off stays in its history."""
     row = _in_force(db, session.id)
     if row is None:
-        raise Conflict(f"Session {session.number} is not signed off: it can be changed already.")
+        raise Conflict(Text("records-not-signed", session=session.number))
     row.unlocked, row.unlocked_by, row.reason = utc_now(), person, reason
     db.flush()
     return row
@@ -132,8 +129,8 @@ def _session_ids(kind: type[Table]) -> Any:
     return select(inspect(kind).columns["session_id"])
 
 
-def why_locked(db: Session, session_id: int) -> str:
-    """Return the sentence why nothing of a session may be changed: it is signed off. Empty when it is not."""
+def why_locked(db: Session, session_id: int) -> Text | None:
+    """Return why nothing of a session may be changed: it is signed off. None when it is not."""
     return _signed(db, {session_id})
 
 
@@ -143,10 +140,10 @@ def _require_unsigned(db: Session, sessions: set[int]) -> None:
         raise Conflict(refusal)
 
 
-def _signed(db: Session, sessions: set[int]) -> str:
-    """Return the sentence that one of these sessions is signed off; empty when none is."""
+def _signed(db: Session, sessions: set[int]) -> Text | None:
+    """Return the sentence that one of these sessions is signed off; None when none is."""
     if not sessions:
-        return ""
+        return None
     query = select(SessionSignOff, PatientSession.number).join(
         PatientSession, PatientSession.id == SessionSignOff.session_id
     )
@@ -154,9 +151,10 @@ def _signed(db: Session, sessions: set[int]) -> str:
         query.where(SessionSignOff.session_id.in_(sessions), SessionSignOff.unlocked.is_(None)).limit(1)
     ).first()
     if signed is None:
-        return ""
+        return None
     row, number = signed
-    return SIGNED.format(number=number, person=row.person, at=row.at.astimezone())
+    at = row.at.astimezone()
+    return Text("records-signed", session=number, person=row.person, day=at.date(), time=at.time())
 
 
 def _in_force(db: Session, session_id: int) -> SessionSignOff | None:

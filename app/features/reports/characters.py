@@ -11,6 +11,7 @@ from functools import cache
 from typing import Final
 
 from app.settings import data_folder
+from app.texts import Text
 from app.visible_text import INVISIBLE, LINE_BREAKS
 
 COVERAGE: Final = "coverage.json"
@@ -49,19 +50,21 @@ def printable(text: str, coverage: Coverage) -> str:
     )
 
 
-def missing_text(texts: Iterable[str], coverage: Coverage) -> str:
-    """Return in a sentence which characters of the texts no font has; "" when there are none."""
+def missing_text(texts: Iterable[str], coverage: Coverage) -> Text | None:
+    """Return in a sentence which characters of the texts no font has; None when there are none."""
     missing = dict.fromkeys(
         character for text in texts for character in text if character not in LINE_BREAKS and character not in coverage
     )
     if not missing:
-        return ""
-    named = [
-        f"{_number(character)} ({unicodedata.name(character, 'without a name').lower()})"
+        return None
+    nameless = str(Text("report-character-nameless"))
+    named = ", ".join(
+        f"{_number(character)} ({unicodedata.name(character, nameless).lower()})"
         for character in list(missing)[:MOST_NAMED]
-    ]
-    more = f" and {len(missing) - MOST_NAMED} more" if len(missing) > MOST_NAMED else ""
-    return f"No font here has these characters, so their numbers stand in their place: {', '.join(named)}{more}."
+    )
+    if len(missing) <= MOST_NAMED:
+        return Text("report-missing-characters", characters=named)
+    return Text("report-missing-characters-more", characters=named, more=len(missing) - MOST_NAMED)
 
 
 def _is_invisible(character: str) -> bool:

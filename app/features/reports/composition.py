@@ -2,7 +2,7 @@
 
 import math
 from collections.abc import Iterable, Mapping
-from datetime import datetime
+from datetime import date, datetime
 from typing import Any, Final
 
 from app import __version__
@@ -20,26 +20,27 @@ from app.features.reports.material import (
 )
 from app.features.reports.measure_reports import interface_test_report, task_report
 from app.features.reports.rendering import render_html, render_pdf
-from app.number_format import amount, with_minus
-from app.store.log_chain import ChainHead
+from app.source import source_description
 from app.store.origins import Origin
+from app.texts import ENGLISH, Figure, Text, Value, reader_language, value_text
 
-EXPLANATION: Final = (
-    "Noise is how much this person’s own trials of the task differ without a change; where nothing changed, about one "
-    "page in twenty says otherwise by chance. A trial that missed the goal counts as no better than the worst tenth of "
-    "those before it that reached it. The first three trials of a task are for getting used to it and "
-    "are not compared. No minimal detectable change has been published for these measures of wheelchair driving."
+NO_GOAL: Final = Text("report-no-goal")
+NO_NOTE: Final = Text("report-no-note")
+NO_CONDITION: Final = Text("report-condition-none")
+SESSIONS_HEAD: Final = (
+    *(Text("report-sessions-session"), Text("report-sessions-date"), Text("report-sessions-opened")),
+    *(Text("report-sessions-trials"), Text("report-sessions-discarded"), Text("report-sessions-signed")),
 )
-NO_GOAL: Final = "No goal was written down."
-NO_NOTE: Final = "No notes."
-NO_CONDITION: Final = "Nothing was driven, so there is no condition to report."
-SESSIONS_HEAD: Final = ("Session", "Date", "Opened by", "Trials", "Discarded", "Signed off by")
 
 
-def report_file(material: ReportMaterial, form: Form, paper: Paper) -> bytes:
-    """Return the content of the file of a report: called in the computing process, or by the command."""
-    report = compose(material)
-    return render_pdf(report, paper) if form == "pdf" else render_html(report, paper)
+def report_file(material: ReportMaterial, form: Form, paper: Paper, language: str = ENGLISH) -> bytes:
+    """Return the content of the file of a report, in one of LANGUAGES.
+
+    Called in the computing process, or by the command.
+    """
+    with reader_language(language):
+        report = compose(material)
+        return render_pdf(report, paper) if form == "pdf" else render_html(report, paper)
 
 
 def file_name(material: ReportMaterial, form: Form) -> str:
@@ -49,21 +50,21 @@ def file_name(material: ReportMaterial, form: Form) -> str:
 
 
 def compose(material: ReportMaterial) -> Report:
-    """Return the document of a report."""
+    """Return the document of a report, in the language of the reader."""
     sessions, parameters = material.sessions, material.parameters
     course = material.session is None
     measured: tuple[TaskMaterial | InterfaceTestMaterial | ReportedDrive, ...]
     measured = (*material.tasks, *material.tests, *material.drives)
-    sources = list(dict.fromkeys(one.source for one in measured))
+    sources = list(dict.fromkeys(source_description(one.source) for one in measured))
     several = len(sources) > 1
     goals = _goals(sessions, course=course)
     return Report(
-        title="Course of " + amount(len(sessions), "session") if course else f"Session {sessions[0].number}",
+        title=str(Text("report-of-course", count=len(sessions)) if course else _session_name(sessions[0].number)),
         code=without_invisible(material.code),
         clinic=without_invisible(material.clinic),
-        made=_moment(material.made),
+        made=value_text(material.made),
         practice=any(one.group == "simulated" for one in measured),
-        source="; ".join(sources) or "No trial counted, so there is no source of signals.",
+        source="; ".join(sources) or str(Text("report-no-source")),
         facts=_facts(material),
         goals=goals if len(goals) < 3 else (goals[0], goals[-1]),
         other_goals=goals[1:-1],
@@ -79,50 +80,76 @@ def compose(material: ReportMaterial) -> Report:
         comments=comment_remarks(material.comments, {one.id: one.number for one in sessions}, course=course),
         signed=_signed(sessions),
         identity=_identity(material),
-        explanation=EXPLANATION,
+        explanation=str(Text("report-explanation")),
     )
 
 
+def _fact(name: Text, value: Text | str) -> Fact:
+    return Fact(str(name), str(value))
+
+
+def _session_name(session: int) -> Text:
+    return Text("report-of-session", session=session)
+
+
 def _facts(material: ReportMaterial) -> tuple[Fact, ...]:
-    first, last = material.sessions[0], material.sessions[-1]
-    if material.session is None:
-        when = f"{_day(first.started)} to {_day(last.started)}" if first is not last else _day(first.started)
-    else:
-        end = "still open" if first.ended is None else f"{first.ended.astimezone():%H:%M}"
-        when = f"{_moment(first.started)} to {end}" if first.ended else f"{_moment(first.started)}, {end}"
     people = dict.fromkeys(session.opened_by for session in material.sessions if session.opened_by)
-    counted = sum(session.counted for session in material.sessions)
-    left_out = [entry for session in material.sessions for entry in session.left_out]
-    trials = f"{amount(counted, 'trial')} counted"
-    if left_out:
-        reasons = "; ".join(dict.fromkeys(without_invisible(reason) for *_, reason in left_out))
-        trials += f", {len(left_out)} left out ({reasons})"
+    opened_by = without_invisible(", ".join(people)) or Text("report-fact-opened-unknown")
+    reader = _fact(Text("report-fact-reader"), Text("report-fact-reader-patient"))
     return (
-        *((Fact("Made for", "Copy for the patient"),) if material.for_patient else ()),
-        Fact("When", when),
-        Fact("Opened by", without_invisible(", ".join(people)) or "not recorded"),
-        Fact("Trials", trials),
+        *((reader,) if material.for_patient else ()),
+        _fact(Text("report-fact-when"), _when(material)),
+        _fact(Text("report-fact-opened"), opened_by),
+        _fact(Text("report-fact-trials"), _counted(material.sessions)),
         *_imported(material.sessions),
     )
 
 
+def _when(material: ReportMaterial) -> str:
+    first, last = material.sessions[0], material.sessions[-1]
+    if material.session is None:
+        return _days(_day(first.started), _day(last.started))
+    if first.ended is None:
+        return str(Text("report-when-open", begun=first.started))
+    return str(Text("report-when-ended", begun=first.started, ended=first.ended.astimezone().time()))
+
+
+def _days(first: date, last: date) -> str:
+    return value_text(first) if first == last else str(Text("report-days", first=first, last=last))
+
+
+def _counted(sessions: tuple[SessionMaterial, ...]) -> str:
+    counted = sum(session.counted for session in sessions)
+    left_out = [entry for session in sessions for entry in session.left_out]
+    if not left_out:
+        return str(Text("report-trials-counted", count=counted))
+    unmeasured = str(Text("report-trial-not-measured"))
+    reasons = "; ".join(dict.fromkeys(without_invisible(reason or unmeasured) for *_, reason in left_out))
+    return str(Text("report-trials-left-out", count=counted, left=len(left_out), reasons=reasons))
+
+
 def _imported(sessions: tuple[SessionMaterial, ...]) -> tuple[Fact, ...]:
-    """Return which sessions were held in another clinic; nothing when all were held here."""
+    """Return which sessions were held in another clinic; nothing when all were held here.
+
+    Sessions that were imported together follow each other.
+    """
     found: dict[Origin, list[int]] = {}
     for session in sessions:
         if session.origin is not None:
             found.setdefault(session.origin, []).append(session.number)
     texts = [
-        f"{_numbers(numbers)} from {without_invisible(origin.clinic)}, by {without_invisible(origin.person)}, "
-        f"{_day(origin.at)}"
+        Text(
+            "report-imported",
+            count=len(numbers),
+            first=numbers[0],
+            last=numbers[-1],
+            clinic=without_invisible(origin.clinic),
+            person=without_invisible(origin.person),
+            day=_day(origin.at),
+        )
         for origin, numbers in found.items()
     ]
-    return (Fact("Imported", "; ".join(texts)),) if texts else ()
-
-
-def _numbers(numbers: list[int]) -> str:
-    """Return the numbers of sessions that were imported together; they follow each other."""
-    return f"Session {numbers[0]}" if len(numbers) == 1 else f"Sessions {numbers[0]} to {numbers[-1]}"
+    return (_fact(Text("report-fact-imported"), "; ".join(map(str, texts))),) if texts else ()
 
 
 def _goals(sessions: tuple[SessionMaterial, ...], *, course: bool) -> tuple[Remark, ...]:
@@ -132,25 +159,25 @@ def _goals(sessions: tuple[SessionMaterial, ...], *, course: bool) -> tuple[Rema
         if session.record.goal.strip():
             goals.setdefault(without_invisible(session.record.goal.strip()), session.number)
     if not goals:
-        return (Remark("", NO_GOAL),)
-    return tuple(Remark(f"Session {number}" if course else "", goal) for goal, number in goals.items())
+        return (Remark("", str(NO_GOAL)),)
+    return tuple(Remark(str(_session_name(number)) if course else "", goal) for goal, number in goals.items())
 
 
 def _condition_note(parameters: ParameterMaterial | None) -> str:
     if parameters is None:
-        return NO_CONDITION
+        return str(NO_CONDITION)
     if not parameters.others:
         return ""
-    return f"The newest set is shown; {amount(parameters.others, 'other set was', 'other sets were')} driven with, too."
+    return str(Text("report-condition-others", count=parameters.others))
 
 
 def _sessions_table(sessions: tuple[SessionMaterial, ...]) -> ReportTable:
     return ReportTable(
-        SESSIONS_HEAD,
+        tuple(map(str, SESSIONS_HEAD)),
         tuple(
             (
                 str(session.number),
-                _day(session.started),
+                value_text(_day(session.started)),
                 without_invisible(session.opened_by or ""),
                 str(session.counted),
                 str(len(session.left_out) or ""),
@@ -171,29 +198,35 @@ def _scales(sessions: tuple[SessionMaterial, ...], *, course: bool) -> ReportTab
     for session in sessions:
         for scale in session.record.scales:
             scales_of.setdefault(without_invisible(scale.name), []).append(scale)
-    if not course:
-        return ReportTable(
-            ("Scale", "Total", "Day"),
-            tuple((name, f"{scale.total:g}", str(scale.day)) for name, scales in scales_of.items() for scale in scales),
-        )
     rows = []
+    if not course:
+        head = Text("report-scales-scale"), Text("report-scales-total"), Text("report-scales-day")
+        for name, scales in scales_of.items():
+            rows += [(name, _number(scale.total), value_text(scale.day)) for scale in scales]
+        return ReportTable(tuple(map(str, head)), tuple(rows))
+    head = Text("report-scales-scale"), Text("report-scales-totals"), Text("report-scales-day")
     for name, scales in scales_of.items():
         ordered = sorted(scales, key=lambda scale: scale.day)
-        totals = ", ".join(f"{scale.total:g}" for scale in ordered)
-        days = " to ".join(dict.fromkeys((str(ordered[0].day), str(ordered[-1].day))))
-        rows.append((name, totals, days))
-    return ReportTable(("Scale", "Totals, the oldest first", "Day"), tuple(rows))
+        totals = ", ".join(_number(scale.total) for scale in ordered)
+        rows.append((name, totals, _days(ordered[0].day, ordered[-1].day)))
+    return ReportTable(tuple(map(str, head)), tuple(rows))
 
 
 def _notes(sessions: tuple[SessionMaterial, ...], *, course: bool) -> tuple[Remark, ...]:
     notes = []
     for session in sessions:
         for note in session.record.notes:
-            where = f"Session {session.number}, " if course else ""
-            revised = "" if note.revised is None else f", revised {_moment(note.revised)}"
-            head = f"{where}{_moment(note.written)}, {note.person}{revised}"
-            notes.append(Remark(without_invisible(head), without_invisible(note.text)))
-    return tuple(notes) or (Remark("", NO_NOTE),)
+            head = Text("report-note", written=note.written, person=note.person)
+            if note.revised is not None:
+                head = Text("report-note-revised", written=note.written, person=note.person, revised=note.revised)
+            notes.append(_remark(head, session.number if course else None, note.text))
+    return tuple(notes) or (Remark("", str(NO_NOTE)),)
+
+
+def _remark(head: Text, session: int | None, text: str) -> Remark:
+    if session is not None:
+        head = Text("report-remark-of-session", session=session, remark=head)
+    return Remark(without_invisible(str(head)), without_invisible(text))
 
 
 def _signed(sessions: tuple[SessionMaterial, ...]) -> str:
@@ -201,35 +234,32 @@ def _signed(sessions: tuple[SessionMaterial, ...]) -> str:
     signed = [session.record.sign_off for session in sessions]
     if signed[-1] is None or None in signed:
         return ""
-    if len(signed) == 1:
-        return without_invisible(f"Signed off by {signed[-1].person}, {_moment(signed[-1].at)}")
-    return without_invisible(f"All sessions are signed off, the last by {signed[-1].person}, {_moment(signed[-1].at)}")
+    person, at = signed[-1].person, signed[-1].at
+    one = Text("report-signed", person=person, moment=at)
+    return without_invisible(str(one if len(signed) == 1 else Text("report-signed-all", person=person, moment=at)))
 
 
 def _identity(material: ReportMaterial) -> tuple[Fact, ...]:
-    parameters = material.parameters
-    began = list(dict.fromkeys(session.record.version for session in material.sessions if session.record.version))
-    recorded = f"recorded with {', '.join(began)}" if began else "at the time of the session: not recorded"
+    parameters, head = material.parameters, material.head
+    recorded = dict.fromkeys(session.record.version for session in material.sessions if session.record.version)
+    software = Text("report-software-unknown", version=__version__)
+    if recorded:
+        software = Text("report-software", version=__version__, recorded=", ".join(recorded))
+    no_controls, no_head = Text("report-fingerprint-none"), Text("report-head-unknown")
+    log_head = no_head if head is None else Text("report-head", count=head.rows, hash=head.hash)
     return (
-        Fact("Software", f"bodydrive {__version__}; {recorded}"),
-        Fact(
-            "Fingerprint of the controls (SHA-256)",
-            "none: nothing was driven" if parameters is None else parameters.hash,
-        ),
-        Fact("Head of the log", _head_text(material.head)),
+        _fact(Text("report-fact-software"), software),
+        _fact(Text("report-fact-fingerprint"), no_controls if parameters is None else parameters.hash),
+        _fact(Text("report-fact-head"), log_head),
     )
 
 
-def _head_text(head: ChainHead | None) -> str:
-    return "not recorded" if head is None else f"{amount(head.rows, 'row')}, {head.hash}"
+def _day(moment: datetime) -> date:
+    return moment.astimezone().date()
 
 
-def _day(moment: datetime) -> str:
-    return f"{moment.astimezone():%Y-%m-%d}"
-
-
-def _moment(moment: datetime) -> str:
-    return f"{moment.astimezone():%Y-%m-%d %H:%M}"
+def _number(value: float) -> str:
+    return value_text(float(f"{value:g}"))
 
 
 MOST_COMMENTS: Final = 100  # in one report: those of the newest trials
@@ -244,60 +274,64 @@ def comment_remarks(comments: Iterable[TrialRemark], sessions: dict[int, int], *
     remarks = [comment for comment in comments if comment.session_id in sessions]
     shown = remarks[-MOST_COMMENTS:]
     left_out = len(remarks) - len(shown)
-    are_not = amount(left_out, "comment on earlier trials is", "comments on earlier trials are")
-    first = (Remark("", f"{are_not} not shown."),) if left_out else ()
-    return (*first, *(_remark(comment, sessions[comment.session_id] if course else None) for comment in shown))
+    first = (Remark("", str(Text("report-comments-left-out", count=left_out))),) if left_out else ()
+    return (*first, *(_comment(comment, sessions[comment.session_id] if course else None) for comment in shown))
 
 
-def _remark(comment: TrialRemark, session: int | None) -> Remark:
-    where = "" if session is None else f"Session {session}, "
-    revised = "" if comment.revised is None else f", revised {comment.revised.astimezone():%Y-%m-%d %H:%M}"
-    said = f"{comment.person}, {comment.written.astimezone():%Y-%m-%d %H:%M}{revised}"
-    moment = with_minus(f"{comment.t:.1f} s")
-    head = f"{where}{comment.floorplan_title}, trial {comment.number}, at {moment}: {said}"
-    return Remark(without_invisible(head), without_invisible(comment.text))
+def _comment(comment: TrialRemark, session: int | None) -> Remark:
+    values: dict[str, Value] = {
+        "plan": comment.floorplan_title,
+        "number": comment.number,
+        "time": Figure(comment.t, 1),
+        "person": comment.person,
+        "written": comment.written,
+    }
+    head = Text("report-comment", **values)
+    if comment.revised is not None:
+        head = Text("report-comment-revised", **values, revised=comment.revised)
+    return _remark(head, session, comment.text)
 
 
-CONTROL_WORDS: Final = {
-    "u1+": "Faster",
-    "u1-": "Slower",
-    "u2+": "Turn left",
-    "u2-": "Turn right",
-    "stop": "Stop",
+CONTROLS: Final = {
+    "u1+": Text("report-control-faster"),
+    "u1-": Text("report-control-slower"),
+    "u2+": Text("report-control-left"),
+    "u2-": Text("report-control-right"),
+    "stop": Text("report-control-stop"),
 }
-MODE_WORDS: Final = {
-    "mode_u1": {"acceleration": "keeps its speed", "velocity": "follows the movement"},
-    "mode_u2": {"acceleration": "keeps turning", "velocity": "follows the movement"},
+METHODS: Final = {
+    "pca": Text("report-method-pca"),
+    "guided": Text("report-method-guided"),
+    "prior": Text("report-method-prior"),
 }
-ORIGIN_WORDS: Final = {
-    "calibration": "",
-    "adaptation": ", adapted",
-    "donning": ", fitted to how the shirt sat",
-    "back": ", taken back",
-}
-METHOD_WORDS: Final = {"pca": "standard", "guided": "learnt from the cues", "prior": "learnt from other people"}
-CONTROLS_HEAD: Final = ("Control", "Movement", "Counts from", "Full at", "Gain")
+BODIES: Final = {True: "simulated", False: "worn", None: "unknown"}
+CONTROLS_HEAD: Final = (
+    *(Text("report-controls-control"), Text("report-controls-movement"), Text("report-controls-from")),
+    *(Text("report-controls-full"), Text("report-controls-gain")),
+)
+UNKNOWN: Final = Text("report-setting-unknown")
 
 
 def _condition_facts(parameters: ParameterMaterial) -> tuple[Fact, ...]:
     """Return the map, the modes and the speeds in words."""
     settings = parameters.settings
     maps = {joint.get("map", "pca") for joint in parameters.profile.get("joints", ())}
-    origin = ORIGIN_WORDS.get(parameters.origin, parameters.origin)
-    parent = "" if parameters.parent is None else f" from version {parameters.parent}"
-    method = (
-        " and ".join(METHOD_WORDS[method_name] for method_name in METHOD_WORDS if method_name in maps)
-        or METHOD_WORDS["pca"]
+    calibration = Text(
+        "report-calibration",
+        version=parameters.version,
+        origin=parameters.origin,
+        parent=parameters.parent or 0,
+        methods=[method for name, method in METHODS.items() if name in maps] or [METHODS["pca"]],
+        body=BODIES[parameters.simulated],
     )
-    of_body = {True: ", of a simulated shirt", False: "", None: ", source not recorded"}[parameters.simulated]
-    modes = [MODE_WORDS[name].get(settings.get(name, ""), "not recorded") for name in MODE_WORDS]
+    modes = Text("report-modes", forward=settings.get("mode_u1", ""), turning=settings.get("mode_u2", ""))
     return (
-        Fact("Calibration", f"Version {parameters.version}{origin}{parent}, {method}{of_body}"),
-        Fact("How it drives", f"Forward and back: {modes[0]}. Turning: {modes[1]}"),
-        Fact("Set", parameters.title),
-        Fact("Stops by itself after", _stops(settings)),
-        Fact("Speeds", _speeds(settings)),
-        Fact("Tremor damping", _figure(settings, "cutoff", "Hz")),
+        _fact(Text("report-fact-calibration"), calibration),
+        _fact(Text("report-fact-modes"), modes),
+        _fact(Text("report-fact-set"), parameters.title),
+        _fact(Text("report-fact-stops"), _stops(settings)),
+        _fact(Text("report-fact-speeds"), _speeds(settings)),
+        _fact(Text("report-fact-damping"), _damping(settings)),
     )
 
 
@@ -308,16 +342,16 @@ def _controls_table(parameters: ParameterMaterial) -> ReportTable:
     rows = []
     for binding in parameters.settings.get("bindings", ()):
         control, named = binding["control"], [gestures[name] for name in binding["gestures"] if name in gestures]
-        control_name = CONTROL_WORDS.get(control, control)
+        control_name = str(CONTROLS.get(control, control))
         if control == "stop":
             rows.append((control_name, " + ".join(_gesture_text(one, labels) for one in named), "", "", ""))
         else:
-            gain = f"{binding.get('gain', 1.0):g}"
+            gain = _number(binding.get("gain", 1.0))
             rows += [
                 (control_name, _gesture_text(one, labels), _share(one, "dead_zone"), _share(one, "full"), gain)
                 for one in named
             ]
-    return ReportTable(CONTROLS_HEAD, tuple(rows)) if rows else NO_TABLE
+    return ReportTable(tuple(map(str, CONTROLS_HEAD)), tuple(rows)) if rows else NO_TABLE
 
 
 def _joint_labels(profile: Mapping[str, Any]) -> dict[str, str]:
@@ -326,28 +360,34 @@ def _joint_labels(profile: Mapping[str, Any]) -> dict[str, str]:
 
 def _gesture_text(gesture: Mapping[str, Any], labels: Mapping[str, str]) -> str:
     joint = labels.get(gesture["joint"], gesture["joint"])
-    movement = f"{joint}, going back" if gesture.get("direction", 1) < 0 else joint
-    return f"{movement}, held" if gesture.get("feature") == "displacement" else movement
+    direction = "back" if gesture.get("direction", 1) < 0 else "forth"
+    return str(Text("report-movement", joint=joint, direction=direction, feature=gesture.get("feature", "rate")))
 
 
 def _share(gesture: Mapping[str, Any], name: str) -> str:
-    unit = "% / s" if gesture.get("feature", "rate") == "rate" else "%"
-    return f"{100 * gesture[name]:.0f} {unit}".replace(" ", "\u00a0")
+    share = Figure(100 * gesture[name])
+    of_rate = gesture.get("feature", "rate") == "rate"
+    text = Text("report-share-rate", share=share) if of_rate else Text("report-share", share=share)
+    return str(text).replace(" ", "\u00a0")
 
 
-def _speeds(settings: Mapping[str, Any]) -> str:
+def _speeds(settings: Mapping[str, Any]) -> Text:
     speeds = settings.get("speeds", {})
     if not {"forward", "reverse", "turn"} <= speeds.keys():
-        return "not recorded"
-    turn = math.degrees(speeds["turn"])
-    return f"Forward {speeds['forward']:.2g}, back {speeds['reverse']:.2g} m/s, turning {turn:.0f} °/s"
+        return UNKNOWN
+    forward, reverse = (float(f"{speeds[name]:.2g}") for name in ("forward", "reverse"))
+    return Text("report-speeds", forward=forward, reverse=reverse, turn=Figure(math.degrees(speeds["turn"])))
 
 
-def _stops(settings: Mapping[str, Any]) -> str:
-    turning = settings.get("turn_cruise_time")
-    return _figure(settings, "cruise_time", "s") + ("" if turning is None else f", turning {turning:g} s")
+def _stops(settings: Mapping[str, Any]) -> Text:
+    time, turning = settings.get("cruise_time"), settings.get("turn_cruise_time")
+    if time is None:
+        return UNKNOWN
+    if turning is None:
+        return Text("report-stops", time=_number(time))
+    return Text("report-stops-turning", time=_number(time), turning=_number(turning))
 
 
-def _figure(settings: Mapping[str, Any], name: str, unit: str) -> str:
-    value = settings.get(name)
-    return "not recorded" if value is None else f"{value:g} {unit}"
+def _damping(settings: Mapping[str, Any]) -> Text:
+    cutoff = settings.get("cutoff")
+    return UNKNOWN if cutoff is None else Text("report-damping", frequency=_number(cutoff))

@@ -1,14 +1,40 @@
-"""The report of a session or of a course of sessions, as a document: all its words and drawings, in their order.
+"""The report of a session or of a course of sessions, as a document in one language: its texts and drawings.
 
-Both renderers (`pdf.py`, `html.py`) show this document and add nothing of their own.
+Both renderers show this document and the labels of `LABELS`, and add nothing of their own.
 """
 
 from dataclasses import dataclass
 from typing import Final, Literal
 
+from app.texts import Text
+
 Form = Literal["pdf", "html"]
 Paper = Literal["a4", "us-letter"]
 Tone = Literal["good", "bad", ""]
+
+LABELS: Final = {
+    "source": Text("report-source"),
+    "goal": Text("report-goal"),
+    "goals_between": Text("report-goals-between"),
+    "trials": Text("report-trials"),
+    "no_trial": Text("report-no-trial"),
+    "tests": Text("report-tests"),
+    "drives": Text("report-drives"),
+    "condition": Text("report-condition"),
+    "scales": Text("report-scales"),
+    "no_scale": Text("report-no-scale"),
+    "sessions": Text("report-sessions"),
+    "notes": Text("report-notes"),
+    "comments": Text("report-comments"),
+    "signature": Text("report-signature"),
+    "signature_line": Text("report-signature-line"),
+    "measure": Text("report-measures-measure"),
+    "now": Text("report-measures-now"),
+    "band": Text("report-measures-band"),
+    "verdict": Text("report-measures-verdict"),
+    "trajectories": Text("report-trajectories-title"),
+}
+"""Headings and labels of every report."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -107,7 +133,7 @@ class Report:
     scales: ReportTable
     notes: tuple[Remark, ...]
     comments: tuple[Remark, ...]  # on moments of trials; empty when there are none
-    signed: str  # "" when nobody has signed off: then there is a line to sign on
+    signed: str  # a sentence; "" when nobody has signed off: then there is a line to sign on
     identity: tuple[Fact, ...]  # software, parameter set, head of the log
     explanation: str
     missing: str = ""  # the characters that the fonts of a PDF do not have

@@ -12,6 +12,7 @@ from app.features.reports.document import Drawing, Tone
 from app.number_format import with_minus
 from app.scoring.measures import Measure
 from app.scoring.verdict.measure_verdict import Verdict
+from app.texts import Text, value_text
 
 COLOURS: Final = {
     "ink": "#16202a",
@@ -59,7 +60,7 @@ def dot(x: float, y: float, radius: float, colour: str, *, hollow: bool = False)
 
 
 def label(x: float, y: float, text: str, *, anchor: str = "start", colour: str = "quiet") -> str:
-    """Return a label; `text` is the program's own: numbers and units."""
+    """Return a label; `text` is the program's own, and has no character that XML would have to escape."""
     place = f'x="{x:.1f}" y="{y:.1f}" text-anchor="{anchor}"'
     return f'<text class="f-{colour}" {place} fill="{COLOURS[colour]}">{text}</text>'
 
@@ -150,7 +151,8 @@ def curve_drawing(
     parts.append(label(place(first, low)[0], y, f"{first}", anchor="middle"))
     if len(points) > 1:
         parts.append(label(place(points[-1].number, low)[0], y, f"{points[-1].number}", anchor="middle"))
-    parts.append(label((CURVE_LEFT + WIDTH - CURVE_RIGHT) / 2, HEIGHT - 3, "trial", anchor="middle"))
+    axis = str(Text("report-curve-axis"))
+    parts.append(label((CURVE_LEFT + WIDTH - CURVE_RIGHT) / 2, HEIGHT - 3, axis, anchor="middle"))
     return Drawing(picture(WIDTH, HEIGHT, parts), description)
 
 
@@ -165,12 +167,12 @@ def _axes(low: float, high: float, step: float, measure: Measure) -> list[str]:
     for number in range(round((high - low) / step) + 1):
         value = low + number * step
         y = CURVE_TOP + (HEIGHT - CURVE_TOP - CURVE_BOTTOM) * (1 - (value - low) / (high - low))
-        text = with_minus(f"{value * measure.factor:.6g}")
+        text = with_minus(value_text(float(f"{value * measure.factor:.6g}")))
         parts += [
             line([(CURVE_LEFT, y), (WIDTH - CURVE_RIGHT, y)], "line", 0.5),
             label(CURVE_LEFT - 3, y + 2.4, text, anchor="end"),
         ]
-    return [*parts, label(2, 6, measure.unit)]
+    return [*parts, label(2, 6, str(measure.unit))]
 
 
 def _sessions(points: Sequence[CurvePoint], place: Any) -> list[str]:
@@ -227,5 +229,5 @@ def _scale_bar(scale: float, wide: float, height: float) -> list[str]:
     end, y = WIDTH - PATH_EDGE, height - 4.0
     return [
         line([(end - metres * scale, y), (end, y)], "quiet", 1.0),
-        label(end - metres * scale - 3, y + 2, f"{metres:g} m", anchor="end"),
+        label(end - metres * scale - 3, y + 2, str(Text("report-scale-bar", length=metres)), anchor="end"),
     ]

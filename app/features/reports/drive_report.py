@@ -6,15 +6,21 @@ from datetime import datetime
 from typing import Final
 
 from app.features.reports.document import NO_TABLE, ReportTable
-from app.source import SourceGroup, source_description
+from app.source import Source, SourceGroup
 from app.store.database import Transaction
 from app.store.drives import drives_of
 from app.store.tables import PairedChair
+from app.texts import Figure, Text, value_text
 
-SESSION_HEAD: Final = ("Drive", "PairedChair", "Begun", "Lasted", "Distance driven", "End")
-COURSE_HEAD: Final = ("Session", "Drives", "Chairs", "Lasted", "Distance driven", "Stopped by a fault")
-ENDS: Final = {"by hand": "ended by hand", "fault": "stopped by a fault"}
-NOT_REPORTED: Final = "not reported by the chair"
+SESSION_HEAD: Final = (
+    *(Text("report-drives-drive"), Text("report-drives-chair"), Text("report-drives-begun")),
+    *(Text("report-drives-lasted"), Text("report-drives-distance"), Text("report-drives-end")),
+)
+COURSE_HEAD: Final = (
+    *(Text("report-drives-session"), Text("report-drives-count"), Text("report-drives-chairs")),
+    *(Text("report-drives-lasted"), Text("report-drives-distance"), Text("report-drives-faults")),
+)
+ENDS: Final = {"by hand": Text("report-drive-ended"), "fault": Text("report-drive-fault")}
 
 
 @dataclass(frozen=True, slots=True)
@@ -28,7 +34,7 @@ class ReportedDrive:
     end: str | None
     distance: float | None  # m; None: the chair reported none
     group: SourceGroup
-    source: str
+    source: Source
     parameters_id: int
 
 
@@ -43,7 +49,7 @@ def reported_drives(db: Transaction, patient_id: int, sessions: dict[int, int]) 
             end=drive.end,
             distance=drive.distance,
             group=drive.source.group,
-            source=source_description(drive.source),
+            source=drive.source,
             parameters_id=drive.parameters_id,
         )
         for drive in drives_of(db, patient_id)
@@ -56,24 +62,24 @@ def drives_table(drives: Sequence[ReportedDrive], *, course: bool) -> ReportTabl
     if not drives:
         return NO_TABLE
     if not course:
-        return ReportTable(SESSION_HEAD, tuple(_row(number, drive) for number, drive in enumerate(drives, start=1)))
+        rows = tuple(_row(number, drive) for number, drive in enumerate(drives, start=1))
+        return ReportTable(tuple(map(str, SESSION_HEAD)), rows)
     of: dict[int, list[ReportedDrive]] = {}
     for drive in drives:
         of.setdefault(drive.session, []).append(drive)
-    return ReportTable(
-        COURSE_HEAD, tuple(_session_row(session, session_drives) for session, session_drives in of.items())
-    )
+    rows = tuple(_session_row(session, session_drives) for session, session_drives in of.items())
+    return ReportTable(tuple(map(str, COURSE_HEAD)), rows)
 
 
 def _row(number: int, drive: ReportedDrive) -> tuple[str, ...]:
-    end = "goes on" if drive.ended is None else ENDS.get(drive.end or "", "not recorded")
+    ended = ENDS.get(drive.end or "", Text("report-drive-end-unknown"))
     return (
         str(number),
         drive.chair,
-        f"{drive.started.astimezone():%H:%M}",
+        value_text(drive.started.astimezone().time()),
         _duration([drive]),
         _distance([drive]),
-        end,
+        str(Text("report-drive-goes-on") if drive.ended is None else ended),
     )
 
 
@@ -94,9 +100,13 @@ def _duration(drives: Iterable[ReportedDrive]) -> str:
     if not seconds:
         return ""
     minutes, rest = divmod(round(sum(seconds)), 60)
-    return f"{minutes} min {rest} s" if minutes else f"{rest} s"
+    if not minutes:
+        return str(Text("report-drive-seconds", seconds=rest))
+    return str(Text("report-drive-minutes", minutes=minutes, seconds=rest))
 
 
 def _distance(drives: Iterable[ReportedDrive]) -> str:
     distances = [drive.distance for drive in drives if drive.distance is not None]
-    return f"{sum(distances):.1f} m" if distances else NOT_REPORTED
+    if not distances:
+        return str(Text("report-drive-distance-unknown"))
+    return str(Text("report-drive-distance", distance=Figure(sum(distances), 1)))

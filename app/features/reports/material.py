@@ -14,7 +14,7 @@ from app.scoring.interface_test.interface_course import StoredTest
 from app.scoring.interface_test.workload import Workload
 from app.scoring.verdict.spread import Spread, SpreadsOf
 from app.settings import Settings
-from app.source import SourceGroup, source_description
+from app.source import Source, SourceGroup
 from app.store.database import Database, Transaction
 from app.store.interface_tests import interface_tests_of
 from app.store.learning_trials import CountedTrial, counted_trials
@@ -23,12 +23,10 @@ from app.store.origins import Origin, origins_of
 from app.store.patients import find_patient, sessions_of
 from app.store.session_contents import trials_of_session
 from app.store.tables import Clinic, InterfaceTest, ParameterSet, Patient, PatientSession, Profile, Trial
+from app.texts import Text
 from app.world.path_titles import path_title
 
 MOST_TASKS = 12  # in one report, those with the most trials
-
-NO_SESSION = "This patient has no session yet: open one first, then make the report."
-NOT_THIS_SESSION = "This patient has no session {number}: choose one that was opened."
 
 Rows = list[dict[str, Any]]
 
@@ -44,7 +42,7 @@ class SessionMaterial:
     opened_by: str | None
     record: SessionRecord
     counted: int  # trials
-    left_out: tuple[tuple[str, int, str], ...]  # floor plan's title, number of the trial, reason
+    left_out: tuple[tuple[str, int, str], ...]  # floor plan's title, number of the trial, reason ("": not measured)
     origin: Origin | None = None  # None: held in this clinic
 
 
@@ -57,7 +55,7 @@ class TaskMaterial:
     title: str
     path: tuple[tuple[float, float], ...]
     group: SourceGroup
-    source: str
+    source: Source
     rows: Rows  # as `CountedTrial.row` returns them
     folders: tuple[Path, ...]  # of the recordings, one for each row
     clinic: dict[str, Spread]  # the median spreads of other people
@@ -77,7 +75,7 @@ class InterfaceTestMaterial:
     """The two-minute tests of one kind of source, up to the end of what is reported; the newest last."""
 
     group: SourceGroup
-    source: str
+    source: Source
     tests: tuple[ReportedTest, ...]
 
 
@@ -143,7 +141,7 @@ def _own_material(db: Transaction, patient: Patient, session: int | None, settin
     every = [row for row in reversed(sessions_of(db, patient.id)) if session is None or row.number <= session]
     reported = [row for row in every if session is None or row.number == session]
     if not reported:
-        raise NotFound(NO_SESSION if session is None else NOT_THIS_SESSION.format(number=session))
+        raise NotFound(Text("report-no-session-yet") if session is None else Text("report-no-session", session=session))
     numbers = {row.id: row.number for row in reported}
     driven = {row.id: trials_of_session(db, row.id) for row in reported}
     trials = [trial for task_trials in driven.values() for trial in task_trials]
@@ -167,9 +165,7 @@ def _own_material(db: Transaction, patient: Patient, session: int | None, settin
 def _session(db: Transaction, row: PatientSession, driven: list[Trial], origin: Origin | None) -> SessionMaterial:
     done = [trial for trial in driven if trial.status == "done"]
     left_out = [
-        (trial.floorplan_title, trial.number, trial.discard_reason or "it could not be measured")
-        for trial in done
-        if not _counts(trial)
+        (trial.floorplan_title, trial.number, trial.discard_reason or "") for trial in done if not _counts(trial)
     ]
     return SessionMaterial(
         id=row.id,
@@ -215,7 +211,7 @@ def _task(
         title=f"{newest.floorplan_title}: {path_title(settings.floorplans, floorplan, path)}",
         path=tuple((x, y) for x, y in newest.path_points),
         group=group,
-        source=source_description(newest.run.source),
+        source=newest.run.source,
         rows=[trial.row() for trial in counted],
         folders=tuple(settings.runs / trial.trial.run.folder for trial in counted),
         clinic={},
@@ -231,7 +227,7 @@ def _tests(db: Transaction, patient: Patient, reported: set[int], last: int) -> 
     return [
         InterfaceTestMaterial(
             group=group,
-            source=source_description(group_tests[-1][0].source),
+            source=group_tests[-1][0].source,
             tests=tuple(_reported_test(test, session) for test, session in group_tests),
         )
         for group, group_tests in tests.items()

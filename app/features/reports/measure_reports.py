@@ -8,7 +8,6 @@ from typing import Any, Final
 from app.features.reports.document import Drawing, InterfaceTestReport, MeasureRow, ReportTable, TaskReport, Tone
 from app.features.reports.drawings import CurvePoint, Trajectory, band_drawing, curve_drawing, trajectory_drawing
 from app.features.reports.material import InterfaceTestMaterial, ReportedTest, Rows, TaskMaterial
-from app.number_format import amount
 from app.recording.recorded_trajectory import read_trajectory, thinned
 from app.scoring.interface_test.interface_course import counted_tests
 from app.scoring.interface_test.interface_verdicts import InterfaceVerdicts, interface_verdicts
@@ -28,17 +27,19 @@ from app.scoring.verdict.leading_measures import leading_of_task
 from app.scoring.verdict.measure_comparison import from_scale, value_of
 from app.scoring.verdict.measure_verdict import Verdict, series_of
 from app.scoring.verdict.verdicts import SessionVerdicts, task_verdicts
+from app.source import source_description
+from app.texts import Figure, Text, value_text
 
 MOST_NAMED = 6  # interrupted trials
 MOST_OWN, MOST_PAST = 10, 30  # trajectories of the newest session and of earlier ones: more could not be told apart
 TONES: dict[Word, Tone] = {"better": "good", "worse": "bad", "within": "", "too few": "", "number": ""}
-NOTHING_BEFORE: Final = "nothing to compare with"
+NOTHING_BEFORE: Final = Text("report-nothing-before")
 MOST_ROWS: Final = 12  # two-minute tests of a course: the first test and the newest ones
 ENDS: Final = {
-    "by hand": "ended early: does not count",
-    "stopped": "stopped: does not count",
-    "fault": "interrupted: does not count",
-    "complete": "its recording cannot be read",
+    "by hand": Text("report-test-ended"),
+    "stopped": Text("report-test-stopped"),
+    "fault": Text("report-test-interrupted"),
+    "complete": Text("report-test-unreadable"),
 }
 
 
@@ -58,19 +59,19 @@ def task_report(task: TaskMaterial, session: int | None, *, name_source: bool) -
     trajectories, description = _trajectories(task, session, compared)
     curve = learning_curves(rows, [main], task.clinic).get(main)
     said = () if curve is None else (curve["text"], curve["sessions"])
+    source = [f"{source_description(task.source)}."] if name_source else []
     return TaskReport(
         title=task.title,
-        lead=" ".join([f"{task.source}."] * name_source + [_trials_text(rows, session), _compared_text(compared)]),
-        before="" if compared is None else f"Session {compared.earlier}",
+        lead=" ".join([*source, _trials_text(rows, session), _compared_text(compared)]),
+        before="" if compared is None else str(Text("report-of-session", session=compared.earlier)),
         measures=tuple(_measure(name, rows, newest, compared) for name in names) + _reaching(rows, newest, compared),
         trajectories=trajectories,
         trajectories_description=description,
         curve=None if curve is None else _curve(main, rows, newest, curve["fit"]),
-        curve_description=f"{amount(len(rows), 'trial')}; session {newest} is orange. Rings: to get used to the task. "
-        "S: a session begins.",
-        curve_title=f"Learning curve: {TRIAL_MEASURES[main].name.lower()} in every trial",
-        sentences=tuple(sentence for sentence in (*verdicts.deterioration.values(), *said) if sentence),
-        statistics=() if curve is None else tuple(curve["details"]),
+        curve_description=str(Text("report-curve-words", count=len(rows), session=newest)),
+        curve_title=str(Text("report-curve-title", measure=TRIAL_MEASURES[main].name)),
+        sentences=tuple(str(sentence) for sentence in (*verdicts.deterioration.values(), *said) if sentence),
+        statistics=() if curve is None else tuple(map(str, curve["details"])),
     )
 
 
@@ -82,25 +83,27 @@ def _comparison(sessions: Sequence[SessionVerdicts], newest: int, *, course: boo
 
 def _measure(name: str, rows: Rows, newest: int, compared: SessionVerdicts | None) -> MeasureRow:
     verdict: Verdict | None = None if compared is None else compared.verdicts.get(name)
-    measure_name = TRIAL_MEASURES[name].name
+    measure_name = str(TRIAL_MEASURES[name].name)
     if verdict is None:
         level = with_unit(name, _level(name, rows, newest))
-        return MeasureRow(measure_name, level, "", "", NOTHING_BEFORE, "", None)
+        return MeasureRow(measure_name, level, "", "", str(NOTHING_BEFORE), "", None)
     tone = TONES[verdict.word]
     noise = noise_text(name, verdict)
     now, before = with_unit(name, verdict.later), with_unit(name, verdict.earlier)
-    drawing = band_drawing(verdict, tone, f"{measure_name}: {before}, now {now}; within noise from {noise}.")
-    return MeasureRow(measure_name, now, before, noise, VERDICT_WORDS[verdict.word], tone, drawing)
+    description = Text("report-band", measure=measure_name, before=before, now=now, noise=noise)
+    drawing = band_drawing(verdict, tone, str(description))
+    return MeasureRow(measure_name, now, before, noise, str(VERDICT_WORDS[verdict.word]), tone, drawing)
 
 
 def _reaching(rows: Rows, newest: int, compared: SessionVerdicts | None) -> tuple[MeasureRow, ...]:
     """Return the row of how often the goal was reached."""
     verdict: Verdict | None = None if compared is None else compared.verdicts.get(REACHED)
+    name = str(REACHED_NAME)
     if verdict is None:
         reached = [bool(row.get("reached", True)) for row in rows if row["session"] == newest]
-        return (MeasureRow(REACHED_NAME, share_text(sum(reached) / len(reached)), "", "", NOTHING_BEFORE, "", None),)
+        return (MeasureRow(name, share_text(sum(reached) / len(reached)), "", "", str(NOTHING_BEFORE), "", None),)
     now, before = share_text(verdict.later), share_text(verdict.earlier)
-    return (MeasureRow(REACHED_NAME, now, before, "", VERDICT_WORDS[verdict.word], TONES[verdict.word], None),)
+    return (MeasureRow(name, now, before, "", str(VERDICT_WORDS[verdict.word]), TONES[verdict.word], None),)
 
 
 def _level(name: str, rows: Rows, session: int) -> float | None:
@@ -117,22 +120,27 @@ def _trials_text(rows: Rows, session: int | None) -> str:
     session_rows = [row for row in rows if session is None or row["session"] == session]
     reached = sum(bool(row.get("reached", True)) for row in session_rows)
     used = sum(row["familiarisation"] for row in session_rows)
-    getting_used = f", {used} of them to get used to the task" if used else ""
-    counted = f"{amount(len(session_rows), 'trial')} counted{getting_used}; the goal was reached in {reached}."
+    counted = Text("report-task-trials", count=len(session_rows), reached=reached)
+    if used:
+        counted = Text("report-task-trials-used", count=len(session_rows), reached=reached, used=used)
     interrupted = [
-        f"trial {row['number']} ({interruption})" for row in session_rows if (interruption := interruption_text(row))
+        str(Text("report-interrupted-trial", number=row["number"], interruption=interruption))
+        for row in session_rows
+        if (interruption := interruption_text(row))
     ]
     if not interrupted:
-        return counted
-    more = f" and {len(interrupted) - MOST_NAMED} more" if len(interrupted) > MOST_NAMED else ""
-    return f"{counted} Interrupted: {', '.join(interrupted[:MOST_NAMED])}{more}."
+        return str(counted)
+    named, more = ", ".join(interrupted[:MOST_NAMED]), len(interrupted) - MOST_NAMED
+    if more <= 0:
+        return f"{counted} {Text('report-interrupted', trials=named)}"
+    return f"{counted} {Text('report-interrupted-more', trials=named, more=more)}"
 
 
 def _compared_text(compared: SessionVerdicts | None) -> str:
     if compared is None:
-        return "There is no earlier session with trials of this task to compare with."
-    first, second = (amount(count, "trial") for count in compared.trials)
-    return f"Session {compared.later} ({second}) against session {compared.earlier} ({first})."
+        return str(Text("report-compared-none"))
+    first, second = compared.trials
+    return str(Text("report-compared", later=compared.later, second=second, earlier=compared.earlier, first=first))
 
 
 def _trajectories(
@@ -152,14 +160,18 @@ def _trajectories(
     read = {place: _trajectory(task.folders[place]) for place in chosen}
     now = [line for place, line in read.items() if line and task.rows[place]["session"] == newest]
     before = [line for place, line in read.items() if line and task.rows[place]["session"] != newest]
-    others = "earlier sessions" if session is None else f"session {earlier}"
-    description = f"{amount(len(now), 'trajectory', 'trajectories')} of session {newest} (orange)"
-    description += f" over {len(before)} of {others} (grey)" if before else ""
-    if session is None and len(chosen) < len(task.rows):
-        description += f", chosen evenly of {len(task.rows)} trials"
-    lost = len(read) - len(now) - len(before)
-    description += f"; {amount(lost, 'recording')} cannot be read" if lost else ""
-    return trajectory_drawing(task.path, before, now, f"{task.source}: {description}."), f"{description}."
+    description = Text(
+        "report-trajectories",
+        count=len(now),
+        newest=newest,
+        others="none" if not before else "sessions" if session is None else "session",
+        before=len(before),
+        earlier=earlier or 0,
+        chosen=len(task.rows) if session is None and len(chosen) < len(task.rows) else 0,
+        lost=len(read) - len(now) - len(before),
+    )
+    drawing = trajectory_drawing(task.path, before, now, f"{source_description(task.source)}: {description}")
+    return drawing, str(description)
 
 
 def _spread(places: Sequence[int]) -> list[int]:
@@ -184,18 +196,18 @@ def _curve(name: str, rows: Rows, newest: int, fit: dict[str, Any] | None) -> Dr
         for row in rows
         if (value := value_of(row, name)) is not None
     ]
-    description = f"{TRIAL_MEASURES[name].as_subject} over {amount(len(points), 'trial')}."
-    return curve_drawing(points, fit, TRIAL_MEASURES[name], description)
+    description = Text("report-curve-of", measure=TRIAL_MEASURES[name].as_subject, count=len(points))
+    return curve_drawing(points, fit, TRIAL_MEASURES[name], str(description))
 
 
 def with_unit(name: str, value: float | None) -> str:
     """Return a level of a measure in words; "" for None."""
-    return "" if value is None or not math.isfinite(value) else TRIAL_MEASURES[name].level(value)
+    return "" if value is None or not math.isfinite(value) else str(TRIAL_MEASURES[name].level(value))
 
 
 def share_text(share: float | None) -> str:
     """Return a share in percent, in words; "" for None."""
-    return "" if share is None else f"{100 * share:.0f} %"
+    return "" if share is None else str(Text("report-share", share=Figure(100 * share)))
 
 
 def noise_text(name: str, verdict: Verdict) -> str:
@@ -203,7 +215,8 @@ def noise_text(name: str, verdict: Verdict) -> str:
     if verdict.low is None or verdict.high is None:
         return ""
     measure = TRIAL_MEASURES[name]
-    return measure.with_unit(f"{measure.figure(verdict.low)} to {measure.figure(verdict.high)}")
+    noise = Text("report-range", low=measure.figure(verdict.low), high=measure.figure(verdict.high))
+    return str(measure.with_unit(str(noise)))
 
 
 def interface_test_report(
@@ -218,14 +231,17 @@ def interface_test_report(
     numbers = {reported.test.number for reported in material.tests if session in (None, reported.session)}
     compared = [pair for pair in interface_verdicts(counted) if pair.later in numbers]
     shown = _shown(material.tests, numbers, compared, course=session is None)
-    source = f"{material.source}. " if name_source else ""
+    complete = Text("report-tests-complete", count=len(counted))
+    if session is not None:
+        complete = Text("report-tests-complete-until", count=len(counted), session=session)
     left_out = len(material.tests) - len(shown)
-    others = f" {amount(left_out, 'test is', 'tests are')} not shown." if left_out else ""
-    until = "" if session is None else f" up to session {session}"
+    others = [str(Text("report-tests-left-out", count=left_out))] if left_out else []
+    source = [f"{source_description(material.source)}."] if name_source else []
+    head = (Text("report-tests-test"), *(measure.name for measure in TEST_MEASURES.values()), WORKLOAD_NAME)
     return InterfaceTestReport(
-        lead=f"{source}{amount(len(counted), 'complete test')}{until}.{others}",
+        lead=" ".join([*source, str(complete), *others]),
         table=ReportTable(
-            ("Test", *(measure.name for measure in TEST_MEASURES.values()), WORKLOAD_NAME),
+            tuple(map(str, head)),
             tuple(map(_row, shown)) + tuple(map(_verdicts, compared)),
         ),
     )
@@ -241,12 +257,13 @@ def _shown(
 
 def _row(reported: ReportedTest) -> tuple[str, ...]:
     number, end, _, measures = reported.test
-    head = f"{number}, session {reported.session}"
+    head = str(Text("report-test-of-session", number=number, session=reported.session))
     if end != "complete" or measures is None:
-        return (head, ENDS[end or "fault"], *[""] * len(TEST_MEASURES))
-    workload = "" if reported.workload is None else f"{reported.workload:.0f}"
+        return (head, str(ENDS[end or "fault"]), *[""] * len(TEST_MEASURES))
+    workload = "" if reported.workload is None else value_text(Figure(reported.workload))
     levels = (
-        "" if (value := measures.get(name)) is None else measure.level(value) for name, measure in TEST_MEASURES.items()
+        "" if (value := measures.get(name)) is None else str(measure.level(value))
+        for name, measure in TEST_MEASURES.items()
     )
     return (head, *levels, workload)
 
@@ -254,7 +271,7 @@ def _row(reported: ReportedTest) -> tuple[str, ...]:
 def _verdicts(compared: InterfaceVerdicts) -> tuple[str, ...]:
     verdicts = (compared.verdicts[name].word if name in compared.verdicts else None for name in TEST_MEASURES)
     return (
-        f"{compared.later} against {compared.earlier}",
-        *("" if word is None else VERDICT_WORDS_OF_TESTS[word] for word in verdicts),
+        str(Text("report-test-against", later=compared.later, earlier=compared.earlier)),
+        *("" if word is None else str(VERDICT_WORDS_OF_TESTS[word]) for word in verdicts),
         "",
     )

@@ -14,6 +14,7 @@ from typing import Any, Final
 
 from app.features.reports.characters import Coverage, coverage_of_fonts, missing_text, printable
 from app.features.reports.document import (
+    LABELS,
     Drawing,
     Fact,
     Form,
@@ -26,23 +27,26 @@ from app.features.reports.document import (
     TaskReport,
 )
 from app.settings import data_folder
+from app.texts import Text, current_language
 
 MEDIA_TYPES: Final[dict[Form, str]] = {"pdf": "application/pdf", "html": "text/html; charset=utf-8"}
 MARKUP = frozenset({"svg"})  # names of fields that are no words
 
 
 def render_pdf(report: Report, paper: Paper) -> bytes:
-    """Return the report as a PDF, tagged for screen readers."""
+    """Return the report as a PDF, tagged for screen readers, with labels in the language of the reader."""
     import typst
 
     coverage = coverage_of_fonts()
-    complete = replace(report, missing=missing_text(_texts(asdict(report)), coverage))
-    document = json.dumps(_printable(asdict(complete), coverage))
+    labels = {name: str(text) for name, text in LABELS.items()}
+    labels["made"] = str(Text("report-made", clinic=report.clinic, moment=report.made))
+    complete = replace(report, missing=str(missing_text(_texts(asdict(report)), coverage) or ""))
+    document = json.dumps(_printable({**asdict(complete), "labels": labels}, coverage))
     fonts = typst.Fonts(include_system_fonts=False, include_embedded_fonts=False, font_paths=[data_folder() / "fonts"])
     pdf: bytes = typst.compile(
         data_folder() / "reports" / "report.typ",
         font_paths=fonts,
-        sys_inputs={"report": document, "paper": paper},
+        sys_inputs={"report": document, "paper": paper, "language": current_language()},
         format="pdf",
     )
     return pdf
@@ -75,38 +79,43 @@ PAGES: dict[Paper, str] = {"a4": "A4", "us-letter": "letter"}
 
 
 def render_html(report: Report, paper: Paper) -> bytes:
-    """Return the report as an HTML file in UTF-8; `paper` is for printing it."""
+    """Return the report as an HTML file in UTF-8, with labels in the language of the reader.
+
+    `paper` is for printing it.
+    """
     style = (data_folder() / "reports" / "report.css").read_text()
     title = f"{report.title}, {report.code}"
     return "\n".join(
         [
-            '<!doctype html>\n<html lang="en">\n<head>\n<meta charset="utf-8">',
+            f'<!doctype html>\n<html lang="{current_language()}">\n<head>\n<meta charset="utf-8">',
             f'<meta http-equiv="Content-Security-Policy" content="{escape(POLICY)}">',
             '<meta name="viewport" content="width=device-width, initial-scale=1">',
             f"<title>{escape(title)}</title>",
             f"<style>\n{style}\n@page {{ size: {PAGES[paper]}; }}\n</style>\n</head>\n<body>\n<main>",
             *_head(report),
-            *_section("Goal", map(_remark, report.goals)),
+            *_section("goal", map(_remark, report.goals)),
             *(part for task in report.tasks for part in _task(task)),
-            *([] if report.tasks else _section("Trials", ["<p>No trial counted.</p>"])),
-            *(_section("Two-minute tests", map(_tests, report.tests)) if report.tests else ()),
-            *(_section("Drives of real chairs", [_table(report.drives)]) if report.drives.rows else ()),
-            *_section("Condition", _condition(report)),
-            *_section("Scales", [_table(report.scales) or "<p>No scale was entered.</p>"]),
+            *([] if report.tasks else _section("trials", [_paragraph(str(LABELS["no_trial"]))])),
+            *(_section("tests", map(_tests, report.tests)) if report.tests else ()),
+            *(_section("drives", [_table(report.drives)]) if report.drives.rows else ()),
+            *_section("condition", _condition(report)),
+            *_section("scales", [_table(report.scales) or _paragraph(str(LABELS["no_scale"]))]),
             *(() if report.sessions.rows else _words(report)),
             *_foot(report),
-            *((*_section("Sessions", [_table(report.sessions)]), *_words(report)) if report.sessions.rows else ()),
+            *((*_section("sessions", [_table(report.sessions)]), *_words(report)) if report.sessions.rows else ()),
             "</main>\n</body>\n</html>\n",
         ]
     ).encode()
 
 
 def _head(report: Report) -> list[str]:
+    made = Text("report-made", clinic=f"<bdi>{escape(report.clinic)}</bdi>", moment=escape(report.made))
     return [
         '<header><div class="mark">bodydrive</div>',
         f'<h1>{escape(report.title)} <bdi class="code">{escape(report.code)}</bdi></h1>',
-        f'<p class="made"><bdi>{escape(report.clinic)}</bdi>, report of {escape(report.made)}</p></header>',
-        f'<p class="{"source practice" if report.practice else "source"}"><b>Source:</b> {escape(report.source)}</p>',
+        f'<p class="made">{made}</p></header>',
+        f'<p class="{"source practice" if report.practice else "source"}"><b>{_label("source")}</b> '
+        f"{escape(report.source)}</p>",
         _facts(report.facts),
     ]
 
@@ -114,9 +123,9 @@ def _head(report: Report) -> list[str]:
 def _words(report: Report) -> list[str]:
     """Return what people wrote; of a course it comes last, because it may be long."""
     return [
-        *(_section("Goals of the sessions between", map(_remark, report.other_goals)) if report.other_goals else ()),
-        *_section("Notes", map(_remark, report.notes)),
-        *(_section("Comments on trials", map(_remark, report.comments)) if report.comments else ()),
+        *(_section("goals_between", map(_remark, report.other_goals)) if report.other_goals else ()),
+        *_section("notes", map(_remark, report.notes)),
+        *(_section("comments", map(_remark, report.comments)) if report.comments else ()),
     ]
 
 
@@ -126,22 +135,21 @@ def _condition(report: Report) -> list[str]:
 
 def _task(task: TaskReport) -> list[str]:
     rows = "".join(_measure(row) for row in task.measures)
-    columns = ("Measure", "Now", task.before, "Band", "Verdict")
-    head = "".join(f'<th scope="col">{escape(title)}</th>' for title in columns)
-    return _section(
+    columns = (_label("measure"), _label("now"), escape(task.before), _label("band"), _label("verdict"))
+    head = "".join(f'<th scope="col">{title}</th>' for title in columns)
+    return _titled(
         f"<bdi>{escape(task.title)}</bdi>",
         [
             f'<p class="quiet">{escape(task.lead)}</p>',
             f'<div class="scroll"><table class="measures"><thead><tr>{head}</tr></thead>',
             f"<tbody>{rows}</tbody></table></div>",
             '<div class="drawings">',
-            _figure("Trajectories over the path", task.trajectories, task.trajectories_description),
+            _figure(str(LABELS["trajectories"]), task.trajectories, task.trajectories_description),
             _figure(task.curve_title, task.curve, task.curve_description),
             "</div>",
             *(_paragraph(sentence) for sentence in task.sentences),
             *(f'<p class="quiet">{escape(sentence)}</p>' for sentence in task.statistics),
         ],
-        title_is_markup=True,
     )
 
 
@@ -175,18 +183,24 @@ def _drawing(drawing: Drawing | None) -> str:
 
 
 def _foot(report: Report) -> list[str]:
-    signed = f"<p>{escape(report.signed)}.</p>" if report.signed else _LINE
+    line = f'<div class="line"><span>{_label("signature_line")}</span></div>'
+    signed = _paragraph(report.signed) or line
     return [
-        f'<section class="signature"><h2>Signature</h2>{signed}</section>',
+        f'<section class="signature"><h2>{_label("signature")}</h2>{signed}</section>',
         f"<footer><p>{escape(report.explanation)}</p>{_facts(report.identity)}</footer>",
     ]
 
 
-_LINE = '<div class="line"><span>Name, date, signature</span></div>'
+def _label(name: str) -> str:
+    return escape(str(LABELS[name]))
 
 
-def _section(title: str, parts: Iterable[str], *, title_is_markup: bool = False) -> list[str]:
-    return [f"<section><h2>{title if title_is_markup else escape(title)}</h2>", *parts, "</section>"]
+def _section(label: str, parts: Iterable[str]) -> list[str]:
+    return _titled(_label(label), parts)
+
+
+def _titled(title: str, parts: Iterable[str]) -> list[str]:
+    return [f"<section><h2>{title}</h2>", *parts, "</section>"]
 
 
 def _paragraph(text: str) -> str:

@@ -16,8 +16,7 @@ from app.store.database import Database
 from app.store.log import write_log
 from app.store.log_chain import HeadFile
 from app.store.patients import find_patient, sessions_of
-
-COPY = "A copy for the patient needs no consent"
+from app.texts import Text
 
 
 class Subject(NamedTuple):
@@ -64,7 +63,7 @@ def _require_consent(database: Database, subject: Subject) -> None:
         try:
             require_consent(db, patient.id, "sharing")
         except Conflict as refusal:
-            raise Conflict(f"{refusal} {COPY}.") from refusal
+            raise Conflict(Text("report-needs-consent", refusal=refusal)) from refusal
 
 
 def report_of_archive(

@@ -47,6 +47,7 @@ def test_both_forms_are_written_and_stand_in_the_log(bodydrive, clinic, tmp_path
         (("P-9", "--out", "a.pdf"), "There is no patient with the code 'P-9': see the list of patients."),
         ((CODE, "--out", "a.docx"), "--out a.docx ends neither with .pdf nor with .html: give one of these."),
         ((CODE, "--session", "7", "--out", "a.pdf"), "This patient has no session 7: choose one that was opened."),
+        ((CODE, "--language", "xx", "--out", "a.pdf"), "--language xx: give one of en"),
         ((CODE, "--out", "none/there/a.pdf"), None),
         ((CODE,), "Missing option '--out'"),
     ],

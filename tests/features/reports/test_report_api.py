@@ -57,6 +57,7 @@ def test_what_is_not_there_is_said_in_a_sentence(reported: Any) -> None:
     )
     assert clinic("GET", "/patients/999/report").status_code == 404
     assert clinic("GET", f"/patients/{patient}/report", params={"form": "docx"}).status_code == 422
+    assert clinic("GET", f"/patients/{patient}/report", params={"language": "xx"}).status_code == 422
     assert clinic("GET", f"/patients/{patient}/report", params={"session": 0}).status_code == 422
     assert len(clinic.log()) == before
 

@@ -6,7 +6,7 @@ from features.reports.conftest import SESSIONS
 from features.reports.reported_clinic import CODE, GOAL, HEAD, NOTE, PLAN, TRIALS, material_of, report_of
 
 from app import __version__
-from app.features.reports.composition import NO_CONDITION, NO_GOAL, NO_NOTE, file_name
+from app.features.reports.composition import NO_CONDITION, NO_GOAL, NO_NOTE, file_name, report_file
 from app.refusals import NotFound
 from app.store.tables import Trial
 from app.world.scene import find_place
@@ -102,7 +102,8 @@ def test_empty_things_have_words(database, tmp_path):
     with pytest.raises(NotFound, match="no session 2"):
         report_of(database, tmp_path, patient.id, 2)
     report = report_of(database, tmp_path, patient.id, 1)
-    assert (report.goals[0].text, report.notes[0].text, report.condition_note) == (NO_GOAL, NO_NOTE, NO_CONDITION)
+    assert (report.goals[0].text, report.notes[0].text) == (str(NO_GOAL), str(NO_NOTE))
+    assert report.condition_note == str(NO_CONDITION)
     assert "still open" in report.facts[0].value
     assert (report.tasks, report.signed) == ((), "")
 
@@ -118,6 +119,12 @@ def test_a_trial_that_was_left_out_is_named_with_its_reason_and_counts_nowhere(r
         with database.transaction() as db:
             db.get_one(Trial, trial.id).kept = True
     assert report.facts[2].value == f"{TRIALS - 1} trials counted, 1 left out (the chair was pushed)"
+
+
+def test_a_report_is_in_the_language_that_was_asked_for(reported):
+    material = material_of(*reported, SESSIONS)
+    assert b'<html lang="en">' in report_file(material, "html", "a4")
+    assert b'<html lang="de">' in report_file(material, "html", "a4", "de")
 
 
 def test_the_name_of_the_file_names_nobody(reported):
