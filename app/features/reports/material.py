@@ -165,7 +165,7 @@ def _own_material(db: Transaction, patient: Patient, session: int | None, settin
 def _session(db: Transaction, row: PatientSession, driven: list[Trial], origin: Origin | None) -> SessionMaterial:
     done = [trial for trial in driven if trial.status == "done"]
     left_out = [
-        (trial.floorplan_title, trial.number, trial.discard_reason or "") for trial in done if not _counts(trial)
+        (trial.floorplan_title, trial.number, str(trial.discard_reason or "")) for trial in done if not _counts(trial)
     ]
     return SessionMaterial(
         id=row.id,
