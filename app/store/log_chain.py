@@ -166,7 +166,7 @@ def _check(head: ChainHead | None, rows: Iterable[RawRow]) -> LogCheck:
         if head is not None and count == head.rows:
             hash_at_head = newest
         if row[3] == HEAD_BEGUN:
-            begun = Text("logs-head-begun", row=count, day=row[1][:10])
+            begun = Text("logs-head-begun", row=count, day=datetime.fromisoformat(row[1]).date())
     if head is None:
         return LogCheck(False, count, Text("logs-head-missing")) if count else LogCheck(True, 0, Text("logs-empty"))
     if head.rows > count:

@@ -137,7 +137,7 @@ def start_session(
 
 def _other_session(db: Session, session: PatientSession) -> Text:
     code, trials = find_patient(db, session.patient_id).code, session_trials(db, session)
-    time = f"{session.started.astimezone():%H:%M}"
+    time = session.started.astimezone().time()
     if session.opened_by:
         return Text("store-session-open-by", code=code, person=session.opened_by, time=time, trials=trials)
     return Text("store-session-open", code=code, time=time, trials=trials)

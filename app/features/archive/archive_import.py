@@ -337,11 +337,11 @@ def _require_replaceable(db: Session, patient: Patient, rows: Rows) -> None:
         raise Conflict(Text("archive-session-open", code=patient.code))
     incident = incident_of(db, patient.id)
     if incident is not None:
-        raise Conflict(Text("archive-incident", code=patient.code, made=f"{incident.made:%Y-%m-%d}"))
+        raise Conflict(Text("archive-incident", code=patient.code, made=incident.made.date()))
     until = must_be_kept_until(db, patient)
     imported = select(ImportedSession.session_id)
     if until is not None and db.scalar(of_patient.where(PatientSession.id.not_in(imported)).limit(1)) is not None:
-        raise Conflict(Text("archive-records-kept", code=patient.code, until=f"{until:%Y-%m-%d}"))
+        raise Conflict(Text("archive-records-kept", code=patient.code, until=until.date()))
 
 
 def _remove_replaced_rows(db: Session, patient_id: int) -> list[PatientFile]:

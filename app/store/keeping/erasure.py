@@ -165,10 +165,10 @@ def _deleted_patient(db: Session, patient_id: int) -> Patient:
 def _refusal(db: Session, patient: Patient) -> Text | None:
     incident = incident_of(db, patient.id)
     if incident is not None:
-        return Text("store-incident-not-erased", code=patient.code, made=f"{incident.made:%Y-%m-%d}")
+        return Text("store-incident-not-erased", code=patient.code, made=incident.made.date())
     until = must_be_kept_until(db, patient)
     if until is not None and not patient.deletion_reason:
-        return Text("store-records-kept", code=patient.code, until=f"{until:%Y-%m-%d}")
+        return Text("store-records-kept", code=patient.code, until=until.date())
     return None
 
 

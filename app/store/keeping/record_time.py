@@ -49,4 +49,4 @@ def require_reason(db: Session, patient: Patient, reason: str) -> None:
     """Refuse a deletion without a reason while the records must be kept."""
     until = must_be_kept_until(db, patient)
     if until is not None and not reason:
-        raise Conflict(Text("store-records-kept-reason", code=patient.code, until=f"{until:%Y-%m-%d}"))
+        raise Conflict(Text("store-records-kept-reason", code=patient.code, until=until.date()))

@@ -14,9 +14,9 @@ archive-code-taken = The code '{ $code }' belongs to another patient of this cli
 archive-recordings-here = Recordings of this archive are in this clinic already, and nothing was imported: their patient is here.
 archive-patient-here = { $code } is in this clinic already, and nothing was imported: replace that patient, or leave it as it is.
 archive-session-open = A session of { $code } is open here, and nothing was imported: end it first, then import again.
-# $made: a date such as 2026-03-31.
+# $made: a date.
 archive-incident = { $code } is part of the incident of { $made } and must not be replaced: an owner lifts the mark of the incident first.
-# $until: a date such as 2026-03-31.
+# $until: a date.
 archive-records-kept = Sessions of { $code } were held in this clinic, and their records must be kept until { $until }: the patient cannot be replaced, and nothing was imported.
 
 ## Clauses that say why an archive cannot be read: each stands in archive-wrong as $why. “Its” is “of the archive”.

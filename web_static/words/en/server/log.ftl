@@ -4,7 +4,7 @@
 logs-whole = The log is whole: { $rows } rows, none edited, moved, put in or removed.
 # $rows: how many, 1 or more. It follows on logs-whole.
 logs-head-behind = The newest { $rows } are not in its head yet: the program ended just then, or it writes now.
-# $row: the number of a row, $day: its date such as 2026-03-31. It follows on logs-whole or logs-head-behind.
+# $row: the number of a row, $day: its date. It follows on logs-whole or logs-head-behind.
 logs-head-begun = A removal of newest rows is noticed from row { $row } on, of { $day }.
 # Two of these sentences, one after the other.
 logs-sentences = { $first } { $second }

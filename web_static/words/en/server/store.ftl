@@ -18,13 +18,13 @@ store-no-replaced-file = There is no such replaced file, or its 30 days are over
 store-code-taken = The code '{ $code }' already belongs to { $pseudonym }: choose another code.
 store-code-deleted = The code '{ $code }' belongs to a deleted patient: choose another code, or undo the deletion of patient { $patient }.
 store-patient-here = The patient { $pseudonym } has an open session: end it first, then delete the patient.
-# $time: such as 14:05, on the clock of this computer.
+# $time: a time of day.
 store-session-open =
     { $trials ->
         [one] A session of { $code } is open: begun at { $time }, { $trials } trial. End it first, or confirm that this session ends it.
        *[other] A session of { $code } is open: begun at { $time }, { $trials } trials. End it first, or confirm that this session ends it.
     }
-# $person: the name of the person who began the session. $time: such as 14:05, on the clock of this computer.
+# $person: the name of the person who began the session. $time: a time of day.
 store-session-open-by =
     { $trials ->
         [one] A session of { $code } is open: begun by { $person } at { $time }, { $trials } trial. End it first, or confirm that this session ends it.
@@ -64,11 +64,11 @@ store-nothing-to-undo = There is nothing to undo: this is the first setting.
 store-nothing-to-redo = There is nothing to redo.
 store-no-map-before = This version comes straight from a calibration: there is no version before it to go back to.
 
-# $made: a date such as 2026-03-31.
+# $made: a date.
 store-incident-not-erased = { $code } is part of the incident of { $made } and must not be erased: an owner lifts the mark of the incident first.
-# $until: a date such as 2026-03-31.
+# $until: a date.
 store-records-kept = The records of { $code } must be kept until { $until }: undo the deletion, then delete again with a reason.
-# $until: a date such as 2026-03-31.
+# $until: a date.
 store-records-kept-reason = The records of { $code } must be kept until { $until }: give a reason to delete them earlier.
 store-incident-lifted = The mark of this incident was lifted already.
 store-clock-hours =
