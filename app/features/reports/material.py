@@ -42,7 +42,7 @@ class SessionMaterial:
     opened_by: str | None
     record: SessionRecord
     counted: int  # trials
-    left_out: tuple[tuple[str, int, str], ...]  # floor plan's title, number of the trial, reason ("": not measured)
+    left_out: tuple[tuple[str, int, Text | str], ...]  # floor plan's title, trial's number, reason ("": not measured)
     origin: Origin | None = None  # None: held in this clinic
 
 
@@ -165,7 +165,7 @@ def _own_material(db: Transaction, patient: Patient, session: int | None, settin
 def _session(db: Transaction, row: PatientSession, driven: list[Trial], origin: Origin | None) -> SessionMaterial:
     done = [trial for trial in driven if trial.status == "done"]
     left_out = [
-        (trial.floorplan_title, trial.number, str(trial.discard_reason or "")) for trial in done if not _counts(trial)
+        (trial.floorplan_title, trial.number, trial.discard_reason or "") for trial in done if not _counts(trial)
     ]
     return SessionMaterial(
         id=row.id,
