@@ -6,14 +6,22 @@ from typing import Annotated, Any, Self
 from pydantic import BeforeValidator, ConfigDict
 
 from app.quantities import Document
+from app.texts import Text
 
 
 def _text_of(moment: Any) -> Any:
     return moment.isoformat() if isinstance(moment, datetime) else moment
 
 
+def _sentence_of(text: Text | str | None) -> str:
+    return "" if text is None else str(text)
+
+
 MomentText = Annotated[str, BeforeValidator(_text_of)]
 """A date and time in ISO 8601, filled from a datetime."""
+
+Sentence = Annotated[str, BeforeValidator(_sentence_of)]
+"""A sentence, empty where there is none, filled from a text or None."""
 
 
 class Answer(Document):

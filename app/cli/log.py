@@ -41,6 +41,6 @@ def verify(
         check = verify_log(settings.database)
     except sqlite3.Error as error:
         raise InputError(f"The log in {settings.database} cannot be read ({error}): give another --state.") from error
-    typer.echo(json.dumps(asdict(check)) if as_json else check.message)
+    typer.echo(json.dumps(asdict(check), default=str) if as_json else check.message)
     if not check.whole:
         raise typer.Exit(CHANGED)

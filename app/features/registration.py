@@ -16,6 +16,7 @@ from sqlalchemy.orm import Session
 
 from app.features import names
 from app.store.tables import PatientSession, Table
+from app.texts import Text
 
 if TYPE_CHECKING:
     from fastapi import APIRouter
@@ -72,7 +73,7 @@ class Attention(NamedTuple):
     number: int  # of drives, trials, comments, sessions or days
     session_id: int | None  # where to look
     trial_id: int | None
-    sentence: str = ""  # of a deterioration
+    sentence: Text | None = None  # of a deterioration
 
 
 class TrialRemark(Protocol):
@@ -147,8 +148,8 @@ def _no_matter(_db: Session, _patient_id: int, _consent: Consent) -> None:
     """Leave everything as it is."""
 
 
-def _no_lock(_db: Session, _session_id: int) -> str:
-    return ""
+def _no_lock(_db: Session, _session_id: int) -> Text | None:
+    return None
 
 
 def _no_events(_db: Session, _session: PatientSession) -> Iterator[StoryEvent]:
@@ -184,8 +185,8 @@ class Feature:
 
     begin: Callable[[Session], None] = _nothing
     """Called with each transaction that begins: it may listen to what is written."""
-    why_locked: Callable[[Session, int], str] = _no_lock
-    """Of a session: the sentence why nothing of it may be changed, empty when it may."""
+    why_locked: Callable[[Session, int], Text | None] = _no_lock
+    """Of a session: the sentence why nothing of it may be changed, None when it may."""
     consented: Callable[[Consent], ColumnElement[bool]] | None = None
     """The condition that the patient of a query (`Patient`) has given a consent; None: it keeps no consents."""
     consent_withdrawn: Callable[[Session, int, Consent], None] = _no_matter

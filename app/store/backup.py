@@ -11,6 +11,7 @@ from app.clock import utc_now
 from app.file_modes import OWNER_FILE
 from app.files import sync_folder
 from app.refusals import DiskFull, Unavailable
+from app.texts import Figure, Text
 
 SLACK = 4_000_000  # bytes that must stay free beside a copy
 PAGES_AT_ONCE = 256  # 1 MB: between two steps others may use the file
@@ -55,9 +56,7 @@ def back_up(database: Path, folder: Path, label: str) -> Backup:
                 copy.execute("PRAGMA journal_mode=DELETE")  # one file, without a write-ahead log beside it
                 complaint, rows = _text(copy, "PRAGMA integrity_check"), _counts(copy)
             if complaint != "ok" or rows != _counts(source):
-                raise Unavailable(
-                    f"The copy of the database {database} is not equal to it: check the disk, then try again."
-                )
+                raise Unavailable(Text("store-copy-unequal", database=str(database)))
             _sync(part)
             part.replace(target)
         finally:
@@ -69,10 +68,7 @@ def back_up(database: Path, folder: Path, label: str) -> Backup:
 def _require_room(folder: Path, size: int) -> None:
     free = shutil.disk_usage(folder).free
     if free < size + SLACK:
-        raise DiskFull(
-            f"There is no room for a copy of the database, which is needed before anything else: free "
-            f"{(size + SLACK) / 1e6:.0f} MB on the disk of {folder}, then try again. Nothing was changed."
-        )
+        raise DiskFull(Text("store-copy-no-room", needed=Figure((size + SLACK) / 1e6), folder=str(folder)))
 
 
 def _counts(connection: sqlite3.Connection) -> Counts:

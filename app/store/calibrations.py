@@ -7,11 +7,7 @@ from app.json_values import JsonDocument
 from app.refusals import Conflict
 from app.store.map_versions import family
 from app.store.tables import CalibrationStep, PatientSession, Profile, Run
-
-MIXED = (
-    "Some steps were recorded in a shirt that nobody wears, others in a worn one: begin the calibration anew, "
-    "in one of them."
-)
+from app.texts import Text
 
 
 def begin_calibration(db: Session, session: PatientSession, script: JsonDocument, steps: list[str]) -> None:
@@ -30,7 +26,9 @@ def calibration_steps(db: Session, session_id: int) -> dict[str, CalibrationStep
     return {row.step: row for row in rows}
 
 
-def set_step(db: Session, session_id: int, step: str, status: str, message: str, run_id: str | None = None) -> None:
+def set_step(
+    db: Session, session_id: int, step: str, status: str, message: Text | str, run_id: str | None = None
+) -> None:
     """Store the status of a step, and its run when one is given; otherwise the step keeps its run."""
     row = db.get_one(CalibrationStep, (session_id, step))
     row.status, row.words = status, message
@@ -69,11 +67,11 @@ def is_calibration_simulated(db: Session, session_id: int) -> bool | None:
         )
     )
     if len(sources) > 1:
-        raise Conflict(MIXED)
+        raise Conflict(Text("store-steps-mixed"))
     return next(iter(sources), None)
 
 
 def fail_interrupted_steps(db: Session) -> None:
     """Mark the steps that an ended web process left running as failed: they have to be repeated."""
     for row in db.scalars(select(CalibrationStep).where(CalibrationStep.status == "running")):
-        row.status, row.words = "failed", "The program was restarted during this step: repeat it."
+        row.status, row.words = "failed", Text("store-step-interrupted")

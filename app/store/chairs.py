@@ -12,6 +12,7 @@ from app.speed_limits import HIGHEST_SPEEDS, Speeds
 from app.store.access.visible_patients import own_clinic_id
 from app.store.own_rows import own_row
 from app.store.tables import Clinic, PairedChair
+from app.texts import Text
 
 LARGEST_KEY_ID = 65_535  # u16 of the frames to the chair
 KEY_ELSEWHERE = 0  # no chair here ever has a key of this number
@@ -20,7 +21,7 @@ KEY_ELSEWHERE = 0  # no chair here ever has a key of this number
 def add_chair(db: Session, clinic: Clinic, name: str, host: str, port: int, key_id: int, speeds: Speeds) -> PairedChair:
     """Add a chair that was just paired; the caller writes its key into `<state>/keys/<key_id>.key`."""
     if any(chair.name == name for chair in chairs_of(db)):
-        raise Conflict(f"There is already a chair called '{name}': choose another name, or unpair that one first.")
+        raise Conflict(Text("store-chair-name-taken", name=name))
     chair = PairedChair(
         clinic_id=clinic.id,
         name=name,
@@ -40,7 +41,7 @@ def free_key_ids(db: Session, clinic: Clinic) -> Iterator[int]:
     """Yield the key numbers that no chair here ever had, so that the key of a removed chair is never valid again."""
     used = set(db.scalars(select(PairedChair.key_id).where(PairedChair.clinic_id == clinic.id)))
     yield from (key_id for key_id in range(1, LARGEST_KEY_ID + 1) if key_id not in used)
-    raise Conflict("Every number of a key was used: begin with a new state folder.")
+    raise Conflict(Text("store-keys-used-up"))
 
 
 def chair_elsewhere(db: Session) -> PairedChair:
@@ -70,7 +71,7 @@ def chairs_of(db: Session) -> list[PairedChair]:
 
 def find_chair(db: Session, chair_id: int) -> PairedChair:
     """Return one of the chairs that are paired."""
-    missing = f"There is no chair {chair_id}: choose one of the list, or pair it first."
+    missing = Text("store-no-chair", chair=chair_id)
     chair = own_row(db, PairedChair, chair_id, missing)
     if chair.removed is not None:
         raise NotFound(missing)

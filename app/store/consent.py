@@ -12,17 +12,9 @@ from app.features.registration import Consent as Consent  # noqa: PLC0414  (othe
 from app.features.registration import features
 from app.refusals import Conflict
 from app.store.tables import Patient
+from app.texts import Text
 
 CONSENTS: Final[tuple[Consent, ...]] = ("recording", "clinic_prior", "sharing")
-
-NEEDED: Final[dict[Consent, str]] = {
-    "recording": "{code} has not consented to recording: ask, and enter the date on the page of consents. Practice "
-    "with the simulated shirt needs no consent.",
-    "clinic_prior": "{code} has not consented to the use for other patients of the clinic: ask, and enter the date "
-    "on the page of consents.",
-    "sharing": "{code} has not consented to sharing outside the clinic: ask, and enter the date on the page of "
-    "consents.",
-}
 
 
 def consented(consent: Consent) -> ColumnElement[bool]:
@@ -40,4 +32,4 @@ def has_consented(db: Session, patient_id: int, consent: Consent) -> bool:
 def require_consent(db: Session, patient_id: int, consent: Consent) -> None:
     """Raise Conflict when a patient has not given a consent, or has withdrawn it."""
     if not has_consented(db, patient_id, consent):
-        raise Conflict(NEEDED[consent].format(code=db.get_one(Patient, patient_id).code))
+        raise Conflict(Text("store-no-consent", code=db.get_one(Patient, patient_id).code, consent=consent))

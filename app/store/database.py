@@ -21,6 +21,7 @@ from app.store.keeping import last_ids  # noqa: F401  (new rows take no id of an
 from app.store.log import HAS_NEW_ROWS, write_log
 from app.store.log_chain import HEAD_BEGUN, ChainHead, HeadFile, advance
 from app.store.schema import bring_up_to_date
+from app.texts import Text
 
 # Error codes that SQLite may also report on a full disk: a file cannot grow or be created, a quota is used up.
 NO_ROOM_PERHAPS = {sqlite3.SQLITE_IOERR, sqlite3.SQLITE_CANTOPEN}
@@ -54,11 +55,6 @@ def make_engine(file: Path, *, writes: bool = True) -> Engine:
 
     return engine
 
-
-LOG_HELD = (
-    "The erasure is done, but the database is being read, so that its write-ahead log still holds bytes of what was "
-    "erased: they go when the program ends."
-)
 
 logger = logging.getLogger("bodydrive")
 
@@ -145,7 +141,7 @@ class Database:
         with self._as_refusals(), self._one_at_a_time, closing_connection(self._engine.raw_connection()) as connection:
             [(busy, *_)] = connection.cursor().execute("PRAGMA wal_checkpoint(TRUNCATE)").fetchall()
         if busy:
-            raise Unavailable(LOG_HELD)
+            raise Unavailable(Text("store-erased-but-read"))
 
     def close(self) -> None:
         """Close every connection."""
@@ -184,9 +180,7 @@ class Database:
             if code == sqlite3.SQLITE_FULL or (code in NO_ROOM_PERHAPS and not self.ballast.has_room()):
                 raise DiskFull(NO_ROOM) from error
             if code in {sqlite3.SQLITE_BUSY, sqlite3.SQLITE_LOCKED}:
-                raise Unavailable("Another program holds the database: wait for its end, then try again.") from error
+                raise Unavailable(Text("store-database-held")) from error
             if code in {sqlite3.SQLITE_NOTADB, sqlite3.SQLITE_CORRUPT}:
-                raise Unavailable(
-                    "The database is damaged: put a copy of it back, or begin with a new folder."
-                ) from error
+                raise Unavailable(Text("store-database-damaged")) from error
             raise

@@ -7,6 +7,7 @@ from app.clock import utc_now
 from app.store.access.visible_patients import own_clinic_id
 from app.store.own_rows import own_row
 from app.store.tables import Drive, Run
+from app.texts import Text
 
 
 def add_drive(db: Session, *, run: Run, patient_id: int, chair_id: int, parameters_id: int, digest: str) -> Drive:
@@ -38,7 +39,7 @@ def finish_drive(db: Session, drive_id: int, end: str, distance: float | None) -
 
 def find_drive(db: Session, drive_id: int) -> Drive:
     """Return one of the clinic's drives."""
-    return own_row(db, Drive, drive_id, f"There is no drive {drive_id}: choose one from the list of drives.")
+    return own_row(db, Drive, drive_id, Text("store-no-drive", drive=drive_id))
 
 
 def drives_of(db: Session, patient_id: int) -> list[Drive]:

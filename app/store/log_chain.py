@@ -18,11 +18,11 @@ from sqlalchemy.orm import Session
 from app.file_modes import OWNER_FILE
 from app.files import sync_folder
 from app.store.schema import connect
+from app.texts import Text
 
 FIRST = "0" * 64  # previous hash of the first row
 HEAD_BEGUN = "log head begun"  # from this row on, a removal of the newest rows is detected
 LINE = 128  # bytes
-WHAT_TO_DO = "Archive this computer with `bodydrive incident FILE`, and compare the log with that of a backup."
 WHOLE_LINE = re.compile(
     rb"(?P<content>(?P<rows>\d{1,15}) (?P<id>\d{1,19}) (?P<hash>[0-9a-f]{64})) (?P<check>[0-9a-f]{8}) *\n"
 )
@@ -133,7 +133,7 @@ class LogCheck:
 
     whole: bool
     rows: int  # number of valid rows, from the first
-    message: str  # the finding in sentences
+    message: Text  # the finding in sentences
 
 
 def verify_log(database: Path) -> LogCheck:
@@ -158,30 +158,24 @@ def warn_of_changed_log(database: Path) -> None:
 
 
 def _check(head: ChainHead | None, rows: Iterable[RawRow]) -> LogCheck:
-    count, newest, hash_at_head, note = 0, FIRST, FIRST, ""
+    count, newest, hash_at_head, begun = 0, FIRST, FIRST, None
     for row in rows:
         if not _chains_on(newest, row):
-            what = f"row {row[0]} was edited, moved or put in, or rows before it were removed"
-            return LogCheck(False, count, f"The log was changed: {what}. {WHAT_TO_DO}")
+            return LogCheck(False, count, Text("logs-row-changed", row=str(row[0])))
         count, newest = count + 1, row[6]
         if head is not None and count == head.rows:
             hash_at_head = newest
         if row[3] == HEAD_BEGUN:
-            note = f" A removal of newest rows is noticed from row {count} on, of {row[1][:10]}."
+            begun = Text("logs-head-begun", row=count, day=datetime.fromisoformat(row[1]).date())
     if head is None:
-        gone = (
-            "The head of the log is missing beside the database: rows may have been removed from the log's end. "
-            + WHAT_TO_DO
-        )
-        return LogCheck(False, count, gone) if count else LogCheck(True, 0, "The log is empty.")
+        return LogCheck(False, count, Text("logs-head-missing")) if count else LogCheck(True, 0, Text("logs-empty"))
     if head.rows > count:
-        what = f"its newest rows were removed, {count} of {head.rows} are left"
-        return LogCheck(False, count, f"The log was changed: {what}. {WHAT_TO_DO}")
+        return LogCheck(False, count, Text("logs-newest-removed", left=count, rows=head.rows))
     if head.hash != hash_at_head:
-        what = f"its first {head.rows} rows are not the rows that were written"
-        return LogCheck(False, count, f"The log was changed: {what}. {WHAT_TO_DO}")
-    late = count - head.rows
-    after = (
-        f" The newest {late} are not in its head yet: the program ended just then, or it writes now." if late else ""
-    )
-    return LogCheck(True, count, f"The log is whole: {count} rows, none edited, moved, put in or removed.{after}{note}")
+        return LogCheck(False, count, Text("logs-rows-exchanged", rows=head.rows))
+    message = Text("logs-whole", rows=count)
+    if late := count - head.rows:
+        message = Text("logs-sentences", first=message, second=Text("logs-head-behind", rows=late))
+    if begun is not None:
+        message = Text("logs-sentences", first=message, second=begun)
+    return LogCheck(True, count, message)

@@ -12,10 +12,9 @@ from app.json_values import JsonDocument
 from app.refusals import Conflict
 from app.store.parameters import current_parameters, save_parameters, save_profile
 from app.store.tables import ParameterSet, Profile, Trial
+from app.texts import Text
 
 BACK_TO = "back_to"  # in `Profile.difference` of a version that goes back: the version whose map it has
-
-NOTHING_BEFORE = "This version comes straight from a calibration: there is no version before it to go back to."
 
 
 class MapVersion(NamedTuple):
@@ -70,7 +69,7 @@ def go_back(db: Session, patient_id: int, session_id: int) -> Profile:
     row, now = current_parameters(db, patient_id)
     before = _before(db, now)
     if before is None:
-        raise Conflict(NOTHING_BEFORE)
+        raise Conflict(Text("store-no-map-before"))
     restored = _settings_of(db, before, newest=True)
     at_first = _settings_of(db, now, newest=False)
     settings = {**row.settings, "gestures": _gestures_back(row.settings, at_first, restored)}

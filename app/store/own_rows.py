@@ -6,6 +6,7 @@ from sqlalchemy.orm import Session
 
 from app.refusals import NotFound, OtherClinicRow
 from app.store.access.visible_patients import OF_ANY_CLINIC, WITH_DELETED
+from app.texts import Text
 
 
 class ClinicRow(Protocol):
@@ -21,7 +22,7 @@ class ClinicRow(Protocol):
 Row = TypeVar("Row", bound=ClinicRow)
 
 
-def own_row(db: Session, kind: type[Row], row_id: int, missing: str, *, deleted: bool = False) -> Row:
+def own_row(db: Session, kind: type[Row], row_id: int, missing: Text, *, deleted: bool = False) -> Row:
     """Return a row of the own clinic; what belongs to a deleted patient only with `deleted`.
 
     Raises

@@ -10,6 +10,7 @@ from app.clock import utc_now
 from app.json_values import JsonDocument
 from app.refusals import Conflict, NotFound
 from app.store.tables import ParameterSet, Profile
+from app.texts import Text
 
 
 def save_profile(
@@ -52,7 +53,7 @@ def newest_profile(db: Session, patient_id: int) -> Profile | None:
 def _needed_profile(db: Session, patient_id: int) -> Profile:
     row = newest_profile(db, patient_id)
     if row is None:
-        raise Conflict("Nothing is calibrated yet: calibrate first, and tap “Use this calibration”.")
+        raise Conflict(Text("store-not-calibrated"))
     return row
 
 
@@ -101,10 +102,7 @@ def as_document(row: ParameterSet, profile: Profile) -> DriveParameters:
     try:
         return DriveParameters.model_validate({**row.settings, "profile": profile.document})
     except ValidationError as error:
-        raise Conflict(
-            "These controls were saved by another version of the program, and this one cannot read them: calibrate "
-            "again, or start that version."
-        ) from error
+        raise Conflict(Text("store-set-of-other-version")) from error
 
 
 def undo_and_redo(db: Session, patient_id: int) -> tuple[ParameterSet | None, ParameterSet | None]:
@@ -123,7 +121,7 @@ def step_parameters(db: Session, patient_id: int, *, back: bool) -> ParameterSet
     before, after = undo_and_redo(db, patient_id)
     target = before if back else after
     if target is None:
-        raise Conflict("There is nothing to undo: this is the first setting." if back else "There is nothing to redo.")
+        raise Conflict(Text("store-nothing-to-undo") if back else Text("store-nothing-to-redo"))
     current.current = False
     target.current = True
     db.flush()
@@ -158,12 +156,9 @@ def load_titled(db: Session, patient_id: int, title: str) -> ParameterSet:
         .limit(1)
     )
     if saved is None:
-        raise NotFound(f"There is no saved set '{title}': choose one from the list.")
+        raise NotFound(Text("store-no-set", title=title))
     try:
         parameters = DriveParameters.model_validate({**saved, "profile": profile.document})
     except ValidationError as error:
-        raise Conflict(
-            f"'{title}' was made for a shirt with other joints and does not fit this calibration: "
-            "bind the gestures anew."
-        ) from error
+        raise Conflict(Text("store-set-of-other-joints", title=title)) from error
     return save_parameters(db, profile, parameters)

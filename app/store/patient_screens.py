@@ -15,6 +15,7 @@ from app.refusals import Conflict, NotFound
 from app.store.log import write_log
 from app.store.own_rows import own_row
 from app.store.tables import PatientScreen, PatientSession
+from app.texts import Text
 
 TOKEN_BYTES = 32
 PAIRED_FOR = timedelta(hours=12)  # longer than a session; limits the pairing when a session is never ended
@@ -43,7 +44,7 @@ def add_screen(db: Session, session_id: int, person: str, old_token: str | None)
     """
     session = db.get_one(PatientSession, session_id)
     if session.ended is not None:
-        raise Conflict("The session of this code has ended: ask for a new code.")
+        raise Conflict(Text("store-code-over"))
     now = utc_now()
     for old in db.scalars(select(PatientScreen).where(PatientScreen.expires < now)):
         db.delete(old)
@@ -52,7 +53,7 @@ def add_screen(db: Session, session_id: int, person: str, old_token: str | None)
         before.unpaired = now
     db.flush()
     if len(screens_of(db, session_id)) >= MOST:
-        raise Conflict(f"{MOST} screens are paired already: unpair one on the clinician's page first.")
+        raise Conflict(Text("store-screens-most", most=MOST))
     last = db.scalar(select(func.max(PatientScreen.number)).where(PatientScreen.session_id == session_id)) or 0
     token = secrets.token_urlsafe(TOKEN_BYTES)
     screen = PatientScreen(
@@ -104,7 +105,7 @@ def find_screen(db: Session, token: str) -> tuple[PatientScreen | None, ScreenSt
 
 def unpair_screen(db: Session, screen_id: int, person: str) -> None:
     """End a pairing."""
-    missing = f"There is no paired screen {screen_id}: choose one of the list."
+    missing = Text("store-no-screen", screen=screen_id)
     screen = own_row(db, PatientScreen, screen_id, missing)
     if screen.unpaired is not None:
         raise NotFound(missing)

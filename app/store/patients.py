@@ -15,6 +15,7 @@ from app.store.access.visible_patients import WITH_DELETED, own_clinic_id, read_
 from app.store.keeping.record_time import require_reason
 from app.store.own_rows import own_row
 from app.store.tables import CalibrationStep, Patient, PatientSession, Profile, Trial
+from app.texts import Text
 
 
 class PatientFigures(NamedTuple):
@@ -30,12 +31,9 @@ def add_patient(db: Session, code: str, pseudonym: str, note: str) -> Patient:
     query = select(Patient).where(Patient.code == code)
     same = db.scalar(query, execution_options=WITH_DELETED)
     if same is not None and same.deleted is None:
-        raise Conflict(f"The code '{code}' already belongs to {same.pseudonym}: choose another code.")
+        raise Conflict(Text("store-code-taken", code=code, pseudonym=same.pseudonym))
     if same is not None:
-        raise Conflict(
-            f"The code '{code}' belongs to a deleted patient: choose another code, "
-            f"or undo the deletion of patient {same.id}."
-        )
+        raise Conflict(Text("store-code-deleted", code=code, patient=same.id))
     codes = select(Patient.code)
     require_distinct(code, db.scalars(codes, execution_options=WITH_DELETED), "names-code-taken")
     require_distinct(pseudonym, (), "names-code-taken")
@@ -55,7 +53,7 @@ def add_patient(db: Session, code: str, pseudonym: str, note: str) -> Patient:
 
 def find_patient(db: Session, patient_id: int, *, deleted: bool = False) -> Patient:
     """Return one of the clinic's patients, a deleted one only with `deleted`."""
-    missing = f"There is no patient {patient_id}: choose one from the list of patients."
+    missing = Text("store-no-patient", patient=patient_id)
     patient = own_row(db, Patient, patient_id, missing, deleted=deleted)
     if patient.deleted is not None and not deleted:
         raise NotFound(missing)
@@ -82,7 +80,7 @@ def delete_patient(db: Session, patient_id: int, reason: str = "") -> Patient:
     patient = find_patient(db, patient_id)
     session = open_session(db)
     if session is not None and session.patient_id == patient_id:
-        raise Conflict(f"The patient {patient.pseudonym} has an open session: end it first, then delete the patient.")
+        raise Conflict(Text("store-patient-here", pseudonym=patient.pseudonym))
     require_reason(db, patient, reason)
     patient.deleted, patient.deletion_reason = utc_now(), reason or None
     return patient
@@ -137,14 +135,12 @@ def start_session(
     return session
 
 
-def _other_session(db: Session, session: PatientSession) -> str:
-    by = f" by {session.opened_by}" if session.opened_by else ""
-    count = session_trials(db, session)
-    trials = "1 trial" if count == 1 else f"{count} trials"
-    return (
-        f"A session of {find_patient(db, session.patient_id).code} is open: begun{by} at "
-        f"{session.started.astimezone():%H:%M}, {trials}. End it first, or confirm that this session ends it."
-    )
+def _other_session(db: Session, session: PatientSession) -> Text:
+    code, trials = find_patient(db, session.patient_id).code, session_trials(db, session)
+    time = session.started.astimezone().time()
+    if session.opened_by:
+        return Text("store-session-open-by", code=code, person=session.opened_by, time=time, trials=trials)
+    return Text("store-session-open", code=code, time=time, trials=trials)
 
 
 def session_trials(db: Session, session: PatientSession) -> int:
@@ -192,8 +188,7 @@ def session_progress(db: Session, session: PatientSession) -> tuple[bool, list[s
 
 def find_session(db: Session, session_id: int) -> PatientSession:
     """Return one of the clinic's sessions; the patient is visible and not deleted."""
-    missing = f"There is no session {session_id}: choose one of the patient's list."
-    session = own_row(db, PatientSession, session_id, missing)
+    session = own_row(db, PatientSession, session_id, Text("store-no-session", session=session_id))
     find_patient(db, session.patient_id)
     return session
 

@@ -12,6 +12,7 @@ from app.store.access.person_tables import Person
 from app.store.access.visible_patients import own_clinic_id
 from app.store.log import write_log
 from app.store.tables import Clinic
+from app.texts import Text
 
 
 def add_clinic(db: Session, name: str) -> Clinic:
@@ -52,7 +53,7 @@ def add_person(
     `patients` are those that a reviewer is shown, None: all; `by` is the name of who adds them, when somebody else.
     """
     if find_person(db, name) is not None:
-        raise Conflict(f"There is already somebody called '{name}': choose another name to sign in with.")
+        raise Conflict(Text("store-person-name-taken", name=name))
     require_distinct(name, db.scalars(select(Person.name)), "names-person-taken")
     person = Person(
         clinic_id=clinic.id,

@@ -14,6 +14,7 @@ from app.source import UNKNOWN_SOURCE, Source
 from app.store.access.visible_patients import WITH_DELETED, own_clinic_id
 from app.store.own_rows import own_row
 from app.store.tables import PatientSession, Run, Trial
+from app.texts import Text
 
 
 def add_run(db: Session, run_id: str, session_id: int, kind: str, folder: str, source: Source = UNKNOWN_SOURCE) -> Run:
@@ -156,7 +157,7 @@ def _storable(value: JsonValue) -> JsonValue:
 
 def find_trial(db: Session, trial_id: int) -> Trial:
     """Return one of the clinic's trials."""
-    return own_row(db, Trial, trial_id, f"There is no trial {trial_id}: choose one from the list of trials.")
+    return own_row(db, Trial, trial_id, Text("store-no-trial", trial=trial_id))
 
 
 def trials_of(db: Session, patient_id: int, floorplan: str | None = None, path: str | None = None) -> list[Trial]:
@@ -173,7 +174,7 @@ def keep_trial(db: Session, trial_id: int, discard_reason: str | None) -> Trial:
     """Keep a trial, or discard it for a reason; its recording stays."""
     trial = find_trial(db, trial_id)
     if trial.status != "done":
-        raise Conflict("This trial is still running: end it first.")
+        raise Conflict(Text("store-trial-running"))
     _require_unlocked(db, trial.session_id)
     trial.kept, trial.discard_reason = discard_reason is None, discard_reason
     return trial
@@ -187,9 +188,9 @@ def close_interrupted_trials(db: Session) -> list[Trial]:
     return interrupted
 
 
-def _lock_reason(db: Session, session_id: int) -> str:
-    """Return the sentence why nothing of a session may be changed; empty when it may."""
-    return next(filter(None, (feature.why_locked(db, session_id) for feature in features().values())), "")
+def _lock_reason(db: Session, session_id: int) -> Text | None:
+    """Return the sentence why nothing of a session may be changed, None when it may."""
+    return next(filter(None, (feature.why_locked(db, session_id) for feature in features().values())), None)
 
 
 def _require_unlocked(db: Session, session_id: int) -> None:

@@ -16,6 +16,7 @@ from app.store.access import person_tables  # noqa: F401  (tables belong to the 
 from app.store.backup import back_up
 from app.store.keeping import keeping_tables  # noqa: F401
 from app.store.tables import Table
+from app.texts import Text
 
 if TYPE_CHECKING:
     from alembic.config import Config
@@ -63,9 +64,9 @@ def bring_up_to_date(file: Path, engine: Engine) -> None:
     if revision == NEWEST:
         return
     if revision not in _revisions():
+        database = str(file)
         raise Refusal(
-            f"The database {file} was last opened by a newer bodydrive: its schema is {revision}, and this program "
-            f"({__version__}) knows schemas up to {NEWEST}. Nothing was changed: start the newer program again."
+            Text("store-schema-newer", database=database, revision=revision, version=__version__, newest=NEWEST)
         )
     copy = back_up(file, file.parent, f"schema-{revision}")
     try:
@@ -73,8 +74,14 @@ def bring_up_to_date(file: Path, engine: Engine) -> None:
     except Exception as error:
         why = str(getattr(error, "orig", error)).partition("\n")[0]
         raise Refusal(
-            f"The database {file} could not be brought from schema {revision} to {NEWEST} ({why}). It is as it was, "
-            f"with a copy in {copy.file.name}: start the program that opened it last, and report this."
+            Text(
+                "store-schema-failed",
+                database=str(file),
+                revision=revision,
+                newest=NEWEST,
+                problem=why,
+                copy=copy.file.name,
+            )
         ) from error
 
 

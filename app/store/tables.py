@@ -1,7 +1,8 @@
 """The tables of a clinic: patients, sessions, screens, calibrations, parameters, trials, chairs, drives, the log."""
 
+import json
 from datetime import UTC, datetime
-from typing import Literal
+from typing import Final, Literal
 
 from sqlalchemy import (
     JSON,
@@ -22,6 +23,7 @@ from sqlalchemy.types import TypeDecorator
 
 from app.json_values import JsonDocument
 from app.source import Source
+from app.texts import Text, from_document, to_document
 
 COUNTED = "kept = 1 AND status = 'done' AND measures != 'null'"  # a trial that is compared with others
 
@@ -44,6 +46,25 @@ class Moment(TypeDecorator[datetime]):
     def process_result_value(self, value: datetime | None, dialect: Dialect) -> datetime | None:  # noqa: ARG002
         """Read UTC."""
         return None if value is None else value.replace(tzinfo=UTC)
+
+
+class StoredText(TypeDecorator[Text | str]):
+    """A text as MARK and its document in JSON, so that it is read in any language; a string is stored as it is."""
+
+    impl = String
+    cache_ok = True
+
+    MARK: Final = "\x1e"  # no string begins with it: what people write has no control characters (app/visible_text.py)
+
+    def process_bind_param(self, value: Text | str | None, dialect: Dialect) -> str | None:  # noqa: ARG002
+        """Store the id and the values of a text."""
+        return self.MARK + json.dumps(to_document(value)) if isinstance(value, Text) else value
+
+    def process_result_value(self, value: str | None, dialect: Dialect) -> Text | str | None:  # noqa: ARG002
+        """Read a text, or the string that was stored."""
+        if value is None or not value.startswith(self.MARK):
+            return value
+        return from_document(json.loads(value.removeprefix(self.MARK)))
 
 
 class Table(DeclarativeBase):
@@ -146,7 +167,7 @@ class CalibrationStep(Table):
     session_id: Mapped[int] = mapped_column(ForeignKey("session.id"), primary_key=True)
     step: Mapped[str] = mapped_column(String(64), primary_key=True)
     status: Mapped[str] = mapped_column(String(16))  # waiting, running, done, failed, skipped
-    words: Mapped[str] = mapped_column(String(400))
+    words: Mapped[Text | str] = mapped_column(StoredText(400))
     run_id: Mapped[str | None] = mapped_column(ForeignKey("run.id"), index=True)
 
 
@@ -234,7 +255,7 @@ class Trial(Table):
     status: Mapped[str] = mapped_column(String(16))  # running, done
     end: Mapped[str | None] = mapped_column(String(16))  # a TrialEnding
     kept: Mapped[bool]
-    discard_reason: Mapped[str | None] = mapped_column(String(200))
+    discard_reason: Mapped[Text | str | None] = mapped_column(StoredText(200))  # a string: by a person
     measures: Mapped[JsonDocument | None]
     # A long document: only a query that names it reads it.
     quality: Mapped[JsonDocument | None] = mapped_column(deferred=True, deferred_raiseload=True)

@@ -145,7 +145,7 @@ def test_first_middle_newest_and_all_removed_rows_show_and_stay_shown(
 ) -> None:
     file = shutil.copytree(written, tmp_path / "copy") / "clinic.sqlite"
     rewrite(file, lambda rows: [row for row in rows if row[0] not in gone])
-    assert "was changed" in verify_log(file).message
+    assert "was changed" in str(verify_log(file).message)
     database = Database(file)  # the head must not follow what was changed
     write_rows(database, ROWS + 1)
     database.close()
@@ -195,10 +195,10 @@ def test_a_crash_between_row_and_head_is_no_alarm_and_stands_in_the_log(tmp_path
     crash(file, "before the head")
     check = verify_log(file)
     assert check.whole
-    assert "newest 3 are not in its head" in check.message
+    assert "newest 3 are not in its head" in str(check.message)
     database = Database(file)
     database.close()
-    assert verify_log(file).message == "The log is whole: 4 rows, none edited, moved, put in or removed."
+    assert str(verify_log(file).message) == "The log is whole: 4 rows, none edited, moved, put in or removed."
     rewrite(file, lambda rows: rows[:-1])
     assert not verify_log(file).whole
 
@@ -220,11 +220,11 @@ def test_a_head_that_is_missing_or_no_head_shows_and_is_begun_anew(written: Path
             head.unlink()
         else:
             head.write_bytes(content)
-        assert "head of the log is missing" in verify_log(file).message
+        assert "head of the log is missing" in str(verify_log(file).message)
     Database(file).close()
     check = verify_log(file)
     assert check.whole
-    assert f"noticed from row {ROWS + 1} on" in check.message
+    assert f"noticed from row {ROWS + 1} on" in str(check.message)
 
 
 def test_a_head_that_cannot_be_written_loses_no_row(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
@@ -237,7 +237,7 @@ def test_a_head_that_cannot_be_written_loses_no_row(tmp_path: Path, monkeypatch:
     with monkeypatch.context() as patch:
         patch.setattr(HeadFile, "write", full)
         write_rows(database, 2)
-    assert "newest 2 are not in its head" in verify_log(file).message
+    assert "newest 2 are not in its head" in str(verify_log(file).message)
     write_rows(database, 1)
     database.close()
-    assert verify_log(file).message == "The log is whole: 3 rows, none edited, moved, put in or removed."
+    assert str(verify_log(file).message) == "The log is whole: 3 rows, none edited, moved, put in or removed."

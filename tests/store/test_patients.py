@@ -32,6 +32,7 @@ from app.store.patients import (
 )
 from app.store.runs import add_run, close_interrupted_trials, finish_trial, keep_trial
 from app.store.tables import Patient
+from app.texts import Text
 from building import plan_of
 
 
@@ -113,6 +114,8 @@ def test_calibration_steps_survive_and_interrupted_ones_say_so(db: Session, pati
     fail_interrupted_steps(db)
     steps = calibration_steps(db, session.id)
     assert (steps["rest"].status, steps["free"].status) == ("done", "failed")
+    db.expire_all()
+    assert (steps["rest"].words, steps["free"].words) == ("", Text("store-step-interrupted"))
     assert recordings_of(db, session.id) == {"rest": "r1"}
     assert session_progress(db, session) == (False, ["rest"])
     begin_calibration(db, session, {"steps": []}, ["rest", "free"])

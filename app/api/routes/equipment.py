@@ -161,7 +161,7 @@ class EquipmentState:
             shirt_keys=await asyncio.to_thread(lambda: equipment.key_names),
             chair=ChairStateView(message=await self.chairs.state()),
             head=head,
-            disk=DiskView(free=room.free, message=room.message),
+            disk=DiskView(free=room.free, message=str(room.message or "")),
         )
 
     async def logged_view(self, person: str, what: str, **details: Any) -> EquipmentView:

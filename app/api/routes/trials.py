@@ -45,6 +45,7 @@ from app.store.origins import Origin, PatientImport, origin_of, origins_of
 from app.store.patients import find_patient
 from app.store.runs import find_trial, keep_trial, trials_of
 from app.store.tables import PatientSession, Trial
+from app.texts import Text
 
 router = APIRouter(tags=["trials"])
 
@@ -87,7 +88,7 @@ class TrialView(Answer):
     status: str
     end: str | None
     kept: bool
-    discard_reason: str | None
+    discard_reason: Text | None
     source: SourceView
     measures: dict[str, Any] | None
     origin: OriginView | None = None  # null: driven in this clinic
@@ -123,7 +124,7 @@ class TrialDetail(Document):
     status: str
     end: str | None
     kept: bool
-    discard_reason: str | None
+    discard_reason: Text | None
     source: SourceView
     measures: dict[str, Any] | None
     origin: OriginView | None  # null: driven in this clinic

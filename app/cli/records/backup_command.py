@@ -56,7 +56,7 @@ def backup(
         raise InputError(str(refusal)) from refusal
     unlogged = _log_made(settings, target.absolute(), report)
     if as_json:
-        typer.echo(json.dumps(asdict(report)))
+        typer.echo(json.dumps(asdict(report) | {"message": str(report.message or "")}))
         return
     keys = (
         "with the keys of chairs, shirts and clinic"

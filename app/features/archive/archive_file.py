@@ -24,6 +24,7 @@ from typing import Annotated, Any, Literal
 from pydantic import Field, ValidationError
 
 from app.quantities import Document
+from app.texts import Text
 
 SCHEMA = 1
 LIST, PATIENT, REPORT = "archive.json", "patient.json", "report.html"
@@ -79,12 +80,6 @@ DAMAGED = (
 )
 UNREADABLE = (*DAMAGED, OSError, ValueError)
 
-NO_ARCHIVE = "{file}: this is no archive of bodydrive, or it was cut: name another file."
-CHANGED = "{file}: '{name}' in the archive was changed or cut, and nothing was imported: copy the archive again."
-NEWER = (
-    "{file}: this archive was made by a newer bodydrive (schema {schema}), and nothing was imported: update this one."
-)
-
 
 class OpenArchive:
     """An archive that is read; every message of its errors is one sentence that names the file."""
@@ -93,27 +88,27 @@ class OpenArchive:
         self.file, self._zip = file, opened
         names = opened.namelist()
         if len(names) != len(set(names)) or names[:2] != [LIST, PATIENT]:
-            raise ValueError(NO_ARCHIVE.format(file=file))
+            raise _no_archive(file)
         document = self._document(self._content(LIST, LARGEST_DOCUMENT))
         schema = document.get("schema_version") if isinstance(document, dict) else None
         if isinstance(schema, int) and schema > SCHEMA:
-            raise ValueError(NEWER.format(file=file, schema=schema))
+            raise ValueError(Text("archive-newer", file=str(file), schema=schema))
         try:
             self.listed = ArchiveList.model_validate(document)
         except ValidationError as error:
-            raise ValueError(NO_ARCHIVE.format(file=file)) from error
+            raise _no_archive(file) from error
         expected = [LIST, PATIENT] if self.listed.report is None else [LIST, PATIENT, REPORT]
         is_listed = set(names) == {*expected, *self.listed.files} and names[: len(expected)] == expected
         if not is_listed or PATIENT not in self.listed.files or hash_of(self.listed.files) != self.listed.hash:
-            raise ValueError(CHANGED.format(file=file, name=LIST))
+            raise _changed(file, LIST)
         if self.listed.report is not None:
             self._checked(REPORT, self.listed.report)
         for info in opened.infolist()[len(expected) :]:
             entry = self.listed.files[info.filename]
             if not RUN_FILE.fullmatch(info.filename) or info.compress_type != zipfile.ZIP_STORED:
-                raise ValueError(NO_ARCHIVE.format(file=file))
+                raise _no_archive(file)
             if info.file_size != entry.bytes:
-                raise ValueError(CHANGED.format(file=file, name=info.filename))
+                raise _changed(file, info.filename)
 
     def recording_bytes(self, without: frozenset[str]) -> int:
         """Return how much room the recordings need, without those of these names."""
@@ -138,15 +133,15 @@ class OpenArchive:
                 with self._zip.open(name) as source, target.open("xb") as written:
                     shutil.copyfileobj(source, written, CHUNK)
             except DAMAGED as error:
-                raise ValueError(CHANGED.format(file=self.file, name=name)) from error
+                raise _changed(self.file, name) from error
             if _hash_of(target) != entry.sha256:
-                raise ValueError(CHANGED.format(file=self.file, name=name))
+                raise _changed(self.file, name)
 
     def _checked(self, name: str, entry: FileEntry) -> bytes:
         """Return a file whose hash is right."""
         content = self._content(name, entry.bytes)
         if entry_of(content) != entry:
-            raise ValueError(CHANGED.format(file=self.file, name=name))
+            raise _changed(self.file, name)
         return content
 
     def _document(self, content: bytes) -> Any:
@@ -155,7 +150,7 @@ class OpenArchive:
             document = json.loads(content, parse_constant=_finite, parse_float=_finite, parse_int=_whole)
             json.dumps(document, ensure_ascii=False).encode()  # refuses halves of surrogate pairs
         except (ValueError, RecursionError) as error:
-            raise ValueError(NO_ARCHIVE.format(file=self.file)) from error
+            raise _no_archive(self.file) from error
         return document
 
     def _content(self, name: str, most: int) -> bytes:
@@ -165,9 +160,9 @@ class OpenArchive:
             with self._zip.open(name) as source:
                 content = source.read(most + 1)
         except UNREADABLE as error:
-            raise ValueError(CHANGED.format(file=self.file, name=name)) from error
+            raise _changed(self.file, name) from error
         if len(content) > most:
-            raise ValueError(CHANGED.format(file=self.file, name=name))
+            raise _changed(self.file, name)
         return content
 
 
@@ -177,9 +172,17 @@ def open_archive(file: Path) -> Iterator[OpenArchive]:
     try:
         opened = zipfile.ZipFile(file)
     except UNREADABLE as error:
-        raise ValueError(NO_ARCHIVE.format(file=file)) from error
+        raise _no_archive(file) from error
     with opened:
         yield OpenArchive(file, opened)
+
+
+def _no_archive(file: Path) -> ValueError:
+    return ValueError(Text("archive-none", file=str(file)))
+
+
+def _changed(file: Path, name: str) -> ValueError:
+    return ValueError(Text("archive-changed", file=str(file), name=name))
 
 
 def _hash_of(file: Path) -> str:

@@ -6,7 +6,7 @@ import shutil
 from contextlib import closing, nullcontext
 from datetime import UTC, datetime
 from pathlib import Path
-from typing import Annotated, Any, Final, NamedTuple
+from typing import Annotated, Any, NamedTuple
 
 from pydantic import ConfigDict, Field, ValidationError
 from sqlalchemy import or_, select
@@ -42,26 +42,8 @@ from app.store.log import write_log
 from app.store.origins import ImportedSession, PatientImport
 from app.store.schema import metadata
 from app.store.tables import Patient, PatientSession, Run
+from app.texts import Text, Value
 from app.visible_text import visible_line
-
-WRONG: Final = "{file}: this archive cannot be read, because {why}; nothing was imported."
-CODE_TAKEN: Final = (
-    "The code '{code}' belongs to another patient of this clinic, and nothing was imported: give that patient another "
-    "code, then import again."
-)
-RUNS_HERE: Final = (
-    "Recordings of this archive are in this clinic already, and nothing was imported: their patient is here."
-)
-HERE: Final = "{code} is in this clinic already, and nothing was imported: replace that patient, or leave it as it is."
-GOES_ON: Final = "A session of {code} is open here, and nothing was imported: end it first, then import again."
-INCIDENT: Final = (
-    "{code} is part of the incident of {made:%Y-%m-%d} and must not be replaced: an owner lifts the mark of the "
-    "incident first."
-)
-KEPT: Final = (
-    "Sessions of {code} were held in this clinic, and their records must be kept until {until:%Y-%m-%d}: the patient "
-    "cannot be replaced, and nothing was imported."
-)
 
 
 class RecordingHeader(Document):
@@ -80,28 +62,27 @@ class RecordingHeader(Document):
     floorplan: dict[str, Any] | None = None
 
 
-def wrong_recording(folder: Path) -> str:
-    """Say in half a sentence what is wrong with a recording, empty when nothing is; damage that is known is not wrong.
+def wrong_recording(folder: Path) -> Text | None:
+    """Say in half a sentence what is wrong with a recording, None when nothing is; damage that is known is not wrong.
 
     A recording of which nothing is known but its numbers, because `run.json` was lost, is exported by nobody.
     """
     import pyarrow as pa
 
-    where = f"the recording '{folder.name}'"
     try:
         run = read_in_groups(folder)
         header = RecordingHeader.model_validate_json(json.dumps(run.meta), strict=True) if run.meta else None
         for rows in run.groups:
             many = len(rows["t"])
             if header is not None and many and rows[PER_CHANNEL].shape[1] != len(header.layout.channels):
-                return f"{where} has other channels than its layout"
+                return Text("archive-recording-channels", recording=folder.name)
             if header is not None and many and rows["score"].shape[1] != len(header.gestures):
-                return f"{where} has other gestures than it names"
+                return Text("archive-recording-gestures", recording=folder.name)
     except ValidationError as error:
-        return f"{where}, {first_error(error)}"
+        return Text("archive-recording-field", recording=folder.name, problem=first_error(error))
     except (pa.ArrowException, OSError, ValueError, TypeError, KeyError, AttributeError, NotImplementedError):
-        return f"{where} cannot be read"
-    return ""
+        return Text("archive-recording-unreadable", recording=folder.name)
+    return None
 
 
 def checked_rows(archive: OpenArchive) -> Rows:
@@ -111,10 +92,14 @@ def checked_rows(archive: OpenArchive) -> Rows:
         rows = check_rows(document.get("tables") if isinstance(document, dict) else None)
         _check_contents(rows, archive)
     except WrongRows as error:
-        raise ValueError(WRONG.format(file=archive.file, why=error)) from error
+        raise _wrong(archive.file, error) from error
     except ValueError as error:
-        raise ValueError(WRONG.format(file=archive.file, why=f"a text in it is refused: {error}")) from error
+        raise _wrong(archive.file, Text("archive-text-refused", problem=error)) from error
     return rows
+
+
+def _wrong(file: Path, why: Value) -> ValueError:
+    return ValueError(Text("archive-wrong", file=str(file), why=why))
 
 
 def _check_contents(rows: Rows, archive: OpenArchive) -> None:
@@ -122,11 +107,11 @@ def _check_contents(rows: Rows, archive: OpenArchive) -> None:
     visible_line(archive.listed.clinic)
     runs = [row["id"] for row in rows["run"]]
     if len(runs) != len(set(runs)) or not all(RUN_ID.fullmatch(run) for run in runs):
-        raise WrongRows("its recordings have wrong names")
+        raise WrongRows(Text("archive-recording-names"))
     if not {name.split("/")[1] for name in archive.listed.files if "/" in name} <= set(runs):
-        raise WrongRows("it has a recording that no row names")
+        raise WrongRows(Text("archive-recording-unnamed"))
     if not all(row["author"] for row in rows.get("moment_comment", ())):
-        raise WrongRows("a comment in it has no author")
+        raise WrongRows(Text("archive-comment-without-author"))
 
 
 class Imported(NamedTuple):
@@ -172,7 +157,7 @@ def import_archive(
         with database.reading() as db:
             patient = _patient_of_rows(db, rows)
             if patient is not None and shelf is None:
-                raise PatientHere(HERE.format(code=patient.code))
+                raise PatientHere(Text("archive-patient-here", code=patient.code))
             here: frozenset[str] = frozenset()
             if patient is not None:
                 _require_replaceable(db, patient, rows)
@@ -183,9 +168,9 @@ def import_archive(
         with temporary_folder(runs.parent, "import") if unpacked is None else nullcontext(unpacked) as folder:
             folder.mkdir(mode=OWNER_FOLDER, exist_ok=True)
             archive.unpack_recordings(folder, here)
-            wrong = next(filter(None, map(wrong_recording, sorted(folder.iterdir()))), "")
-            if wrong:
-                raise ValueError(WRONG.format(file=archive.file, why=wrong))
+            wrong = next(filter(None, map(wrong_recording, sorted(folder.iterdir()))), None)
+            if wrong is not None:
+                raise _wrong(archive.file, wrong)
             shelf_file = "" if shelf is None or patient is None else _put_on_shelf(database, rows, runs, shelf)
             return _add(database, archive, rows, person, folder, runs, shelf_file)
 
@@ -227,7 +212,7 @@ def import_apart(
         with closing(Database(clinic)) as database, of_clinic(clinic_id):
             return import_archive(database, file, person, runs, unpacked, shelf)
     except MemoryError as error:
-        raise ValueError(WRONG.format(file=file, why="it needs too much memory")) from error
+        raise _wrong(file, Text("archive-memory")) from error
 
 
 def _add(
@@ -247,7 +232,7 @@ def _add(
             try:
                 imported, gone = _add_rows(db, archive, rows, person, shelf_file)
             except WrongRows as error:
-                raise ValueError(WRONG.format(file=archive.file, why=error)) from error
+                raise _wrong(archive.file, error) from error
             for folder in sorted(unpacked.iterdir()):
                 target = runs / folder.name
                 if target.exists():  # no row names it: an import was killed before its rows were stored
@@ -273,7 +258,7 @@ def _add_rows(
     uploads: list[PatientFile] = []
     if patient is not None:
         if not shelf_file:  # somebody else imported the patient meanwhile
-            raise PatientHere(HERE.format(code=patient.code))
+            raise PatientHere(Text("archive-patient-here", code=patient.code))
         _require_replaceable(db, patient, rows)
         before = _runs_here(db, patient.id)
         rows["patient"][0] |= {"code": patient.code, "pseudonym": patient.pseudonym}  # each clinic gives its own
@@ -323,7 +308,7 @@ def _require_new(db: Session, rows: Rows) -> None:
     _require_no_runs(db, [row["id"] for row in rows["run"]])
     code = rows["patient"][0]["code"]
     if db.scalar(select(Patient.id).where(Patient.code == code)) is not None:
-        raise Conflict(CODE_TAKEN.format(code=code))
+        raise Conflict(Text("archive-code-taken", code=code))
 
 
 def _store_import(db: Session, patient_id: int, archive: str, clinic: str, person: str) -> None:
@@ -340,7 +325,7 @@ def _require_no_runs(db: Session, ids: list[str]) -> None:
     """Raise Conflict when one of these recordings is in the clinic."""
     here = select(Run.id).where(or_(Run.id.in_(ids), Run.folder.in_(ids))).limit(1)
     if db.scalar(here) is not None:
-        raise Conflict(RUNS_HERE)
+        raise Conflict(Text("archive-recordings-here"))
 
 
 def _require_replaceable(db: Session, patient: Patient, rows: Rows) -> None:
@@ -349,14 +334,14 @@ def _require_replaceable(db: Session, patient: Patient, rows: Rows) -> None:
     _require_no_runs(db, [row["id"] for row in rows["run"] if row["id"] not in own_runs])
     of_patient = select(PatientSession.id).where(PatientSession.patient_id == patient.id)
     if db.scalar(of_patient.where(PatientSession.ended.is_(None)).limit(1)) is not None:
-        raise Conflict(GOES_ON.format(code=patient.code))
+        raise Conflict(Text("archive-session-open", code=patient.code))
     incident = incident_of(db, patient.id)
     if incident is not None:
-        raise Conflict(INCIDENT.format(code=patient.code, made=incident.made))
+        raise Conflict(Text("archive-incident", code=patient.code, made=incident.made.date()))
     until = must_be_kept_until(db, patient)
     imported = select(ImportedSession.session_id)
     if until is not None and db.scalar(of_patient.where(PatientSession.id.not_in(imported)).limit(1)) is not None:
-        raise Conflict(KEPT.format(code=patient.code, until=until))
+        raise Conflict(Text("archive-records-kept", code=patient.code, until=until.date()))
 
 
 def _remove_replaced_rows(db: Session, patient_id: int) -> list[PatientFile]:

@@ -25,9 +25,11 @@ from app.store.tables import (
     PatientSession,
     Profile,
     Run,
+    StoredText,
     Table,
     Trial,
 )
+from app.texts import ENGLISH, Text, Value, reader_language
 
 KERNEL: Final = (
     ArchivedTable(Patient, "id"),
@@ -144,7 +146,7 @@ def insert_row(db: Session, table: SqlTable, values: dict[str, Any], place: int)
     try:
         added: Any = db.execute(insert(table).values(columns))
     except IntegrityError as error:
-        raise WrongRows(f"row {place} of its table '{table.name}' contradicts another one") from error
+        raise WrongRows(Text("archive-row-contradicts", row=place, table=table.name)) from error
     return added.inserted_primary_key[0]
 
 
@@ -153,28 +155,28 @@ def check_rows(rows: Any) -> Rows:
     if not isinstance(rows, dict) or set(rows) != {
         kind_of_table.kind.__tablename__ for kind_of_table in archived_tables()
     }:
-        raise WrongRows("its tables are others")
+        raise WrongRows(Text("archive-other-tables"))
     for archived in archived_tables():
         table = table_of(archived.kind)
         names = {column.name for column in exchanged(table)}
         if not isinstance(rows[table.name], list) or any(
             not isinstance(row, dict) or set(row) != names for row in rows[table.name]
         ):
-            raise WrongRows(f"the columns of its table '{table.name}' are others")
+            raise WrongRows(Text("archive-other-columns", table=table.name))
     if sum(map(len, rows.values())) > MOST_ROWS:
-        raise WrongRows(f"it has more than {MOST_ROWS:,} rows")
+        raise WrongRows(Text("archive-rows-most", most=MOST_ROWS))
     if len(rows["patient"]) != 1:
-        raise WrongRows("it has not exactly one patient")
+        raise WrongRows(Text("archive-one-patient"))
     wrong = (_wrong_value(kind_of_table, rows) for kind_of_table in archived_tables())
-    refusal = next(filter(None, wrong), "") or wrong_versions(rows)
-    if refusal:
+    refusal = next(filter(None, wrong), None) or wrong_versions(rows)
+    if refusal is not None:
         raise WrongRows(refusal)
     if any(row["ended"] is None for row in rows["session"]):
-        raise WrongRows("one of its sessions has not ended")
+        raise WrongRows(Text("archive-session-not-ended"))
     return rows
 
 
-def _wrong_value(archived: ArchivedTable, rows: Rows) -> str:
+def _wrong_value(archived: ArchivedTable, rows: Rows) -> Text | None:
     table = table_of(archived.kind)
     return wrong_value(table, exchanged(table), rows[table.name], archived.forms)
 
@@ -202,34 +204,37 @@ def _written(column: Column[Any], value: Any, places: dict[str, dict[Any, int]])
         return places[table][value]
     if isinstance(value, datetime):
         return value.astimezone(UTC).isoformat()
+    if isinstance(value, Text):  # in one language, so that every clinic writes the same document
+        with reader_language(ENGLISH):
+            return str(value)
     return value.isoformat() if isinstance(value, date) else value
 
 
 def read_value(column: Column[Any], row: dict[str, Any], ids: dict[str, dict[Any, Any]], place: int) -> Any:
     """Return a value of a document as the database stores it; `ids` are those that the document's rows have here."""
     value = row[column.name]
-    where = f"row {place} of its table '{column.table.name}', column '{column.name}',"
+    where: dict[str, Value] = {"row": place, "table": column.table.name, "column": column.name}
     if value is None:
         if not column.nullable:
-            raise WrongRows(f"{where} is empty")
+            raise WrongRows(Text("archive-value-empty", **where))
         return None
     if not _has_type(column, value):
-        raise WrongRows(f"{where} has another type")
+        raise WrongRows(Text("archive-value-type", **where))
     length = getattr(column.type, "length", None)
     if isinstance(length, int) and len(value) > length:
-        raise WrongRows(f"{where} is too long")
+        raise WrongRows(Text("archive-value-long", **where))
     if column.name == "id" and isinstance(value, int) and value != place:
-        raise WrongRows(f"{where} is not {place}")
+        raise WrongRows(Text("archive-value-place", **where))
     table = referred_table(column)
     if table is not None:
         if value not in ids[table]:
-            raise WrongRows(f"{where} refers to a row that is not there")
+            raise WrongRows(Text("archive-value-refers", **where))
         return ids[table][value]
     try:
         read = _READ.get(type(column.type))
         return value if read is None else read(value)
     except (ValueError, OverflowError) as error:
-        raise WrongRows(f"{where} is no date") from error
+        raise WrongRows(Text("archive-value-date", **where)) from error
 
 
 def _moment(text: str) -> datetime:
@@ -257,5 +262,5 @@ def _json_type(column: Column[Any]) -> type | tuple[type, ...]:
         return (int, float)
     if isinstance(kind, Integer):
         return int
-    assert isinstance(kind, String | Moment | Date)
+    assert isinstance(kind, String | StoredText | Moment | Date)
     return str

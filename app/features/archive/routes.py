@@ -119,7 +119,7 @@ def archive(
 def room(patient_id: RowId, _person: Exporter, settings: SettingsPart, database: Db) -> ArchiveRoomView:
     """Return how large the recordings of a patient's archive are, and whether the clinic's disk has room for them."""
     room_needed = archive_room(database, patient_id, settings.runs, settings.state)
-    return ArchiveRoomView(**room_needed._asdict())
+    return ArchiveRoomView(bytes=room_needed.bytes, message=str(room_needed.message or ""))
 
 
 ImportsPart = Annotated[ImportCourses, Depends(part(ImportCourses))]

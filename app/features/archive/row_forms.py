@@ -26,6 +26,7 @@ from app.scoring.interface_test.workload import Workload
 from app.scoring.trial_measures import TrialMeasures
 from app.store.patient_screens import ScreenSettings
 from app.store.tables import DriveEnding, InterfaceTestEnding, Moment, TrialEnding
+from app.texts import Text, text_of
 from app.world.cursor_task import CursorPlan
 from app.world.floorplan import Polyline
 from app.world.path import Path
@@ -39,13 +40,13 @@ EARLIEST, LATEST = datetime(1970, 1, 2, tzinfo=UTC), datetime(2200, 1, 1, tzinfo
 
 def _of_this_age(moment: datetime) -> datetime:
     if not EARLIEST <= moment <= LATEST:
-        raise ValueError("is no date between 1970 and 2200")
+        raise ValueError(Text("archive-date"))
     return moment
 
 
 def _day_of_this_age(day: date) -> date:
     if not EARLIEST.date() <= day <= LATEST.date():
-        raise ValueError("is no date between 1970 and 2200")
+        raise ValueError(Text("archive-date"))
     return day
 
 
@@ -146,8 +147,8 @@ FORMS: Final[dict[str, dict[str, Form]]] = {
 
 def wrong_value(
     table: SqlTable, columns: list[SqlColumn], rows: list[JsonDocument], feature_forms: Mapping[str, Form]
-) -> str:
-    """Say in half a sentence which value of these rows does not have its form; empty when all have.
+) -> Text | None:
+    """Say in half a sentence which value of these rows does not have its form; None when all have.
 
     `feature_forms`: forms of columns of a feature's table, as in FORMS.
     """
@@ -157,44 +158,45 @@ def wrong_value(
         )
     except ValidationError as error:
         row = int(error.errors()[0]["loc"][0]) + 1
-        return f"row {row} of its table '{table.name}', {first_error(error, skip=1)}"
-    return ""
+        return Text("archive-row-field", row=row, table=table.name, problem=first_error(error, skip=1))
+    return None
 
 
-def first_error(error: ValidationError, *, skip: int = 0, before: str = "") -> str:
+def first_error(error: ValidationError, *, skip: int = 0, before: str = "") -> Text | str:
     """Return the field of the first thing that is wrong, and what: `skip` parts of its place are left out."""
-    first = error.errors(include_url=False, include_context=False, include_input=False)[0]
+    first = error.errors(include_url=False, include_input=False)[0]
     field = ".".join(map(str, [*filter(None, [before]), *first["loc"][skip:]]))
-    message = first["msg"].removeprefix("Value error, ").removeprefix("Input ")
-    return f"'{field}': {message}" if field else message
+    is_own = first["type"] == "value_error"
+    problem = text_of(first["ctx"]["error"]) if is_own else first["msg"].removeprefix("Input ")
+    return Text("archive-field", field=field, problem=problem) if field else problem
 
 
-def wrong_versions(rows: dict[str, list[JsonDocument]]) -> str:
+def wrong_versions(rows: dict[str, list[JsonDocument]]) -> Text | None:
     """Say which map or set of controls contradicts another one: every map comes from an earlier one, or from none."""
     documents: dict[int, JsonDocument] = {}
     for place, row in enumerate(rows["profile"], start=1):
         before = (row["difference"] or {}).get("back_to")
         earlier = {other["version"] for other in rows["profile"] if other["version"] < row["version"]}
         if any(version is not None and version not in earlier for version in (row["parent"], before)):
-            return f"row {place} of its table 'profile' comes from a version that is not there"
+            return Text("archive-map-from", row=place)
         if row["origin"] == "back" and before is None:
-            return f"row {place} of its table 'profile' does not say which version it goes back to"
+            return Text("archive-map-back", row=place)
         documents[row["id"]] = row["document"]
     current: set[int] = set()
     for place, row in enumerate(rows["parameters"], start=1):
-        where = f"row {place} of its table 'parameters'"
         if row["profile_id"] not in documents:
-            return f"{where}, 'profile_id': refers to a row that is not there"
+            return Text("archive-controls-map", row=place)
         if row["current"] and (row["abandoned"] or row["profile_id"] in current):
-            return f"{where}, 'current': another set of controls is the current one"
+            return Text("archive-controls-current", row=place)
         if row["current"]:
             current.add(row["profile_id"])
         try:
             whole = json.dumps({**row["settings"], "profile": documents[row["profile_id"]]})
             DriveParameters.model_validate_json(whole, strict=True)
         except ValidationError as error:
-            return f"{where}, {first_error(error, before='settings')}"
-    return ""
+            problem = first_error(error, before="settings")
+            return Text("archive-row-field", row=place, table="parameters", problem=problem)
+    return None
 
 
 @cache

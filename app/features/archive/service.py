@@ -38,6 +38,7 @@ from app.store.log import write_log
 from app.store.patients import find_patient
 from app.store.runs import run_ids
 from app.store.tables import Clinic
+from app.texts import Text
 
 MakeReport = Callable[[], bytes]
 
@@ -105,10 +106,10 @@ def _add_list(clinic: str, package: Path) -> int:
 
 
 class ArchiveRoom(NamedTuple):
-    """How large the recordings of an archive are, and why there is no room for them; no message when there is."""
+    """How large the recordings of an archive are, and why there is no room for them; None when there is."""
 
     bytes: int
-    message: str
+    message: Text | None
 
 
 def archive_room(database: Database, patient_id: int, runs: Path, place: Path) -> ArchiveRoom:
@@ -131,11 +132,8 @@ def room_for(folders: list[Path], place: Path) -> ArchiveRoom:
 def require_room_for(folders: list[Path], place: Path) -> None:
     """Raise DiskFull when an archive of the recordings in `folders` has no room in `place`."""
     message = room_for(folders, place).message
-    if message:
+    if message is not None:
         raise DiskFull(message)
-
-
-OPEN = "A session of this patient is open: end it first, then make the archive."
 
 
 class ArchiveMaterial(NamedTuple):
@@ -170,7 +168,7 @@ def archive_material(database: Database, patient_id: int, person: str, runs: Pat
         rows = patient_rows(db, patient_id)
         clinic = clinic_name(db)
         if any(row["ended"] is None for row in rows["session"]):
-            raise Conflict(OPEN)
+            raise Conflict(Text("archive-session-here"))
         folders = [runs / str(row["id"]) for row in rows["run"]]
         require_room_for(folders, place)
         write_log(db, person, "export", patient=patient_id, session=None, form="archive", runs=len(rows["run"]))

@@ -17,14 +17,11 @@ from typing import BinaryIO, Final, TypeVar
 from app.features.backup.manifest import DAMAGED
 from app.features.backup.quiet_files import PART, Reader, Writer
 from app.refusals import Refusal
+from app.texts import Text
 
 TOO_MUCH_WORK: Final = "Excessive work"  # pyrage measures this computer's speed at each call
 ATTEMPTS: Final = 5  # of a computer that is busy for a moment
-SLOW: Final = (
-    "This computer is too slow or too busy for the passphrase: close other programs and try again, or follow "
-    "HOW-TO-OPEN.txt in the backup."
-)
-WRONG: Final = "The passphrase is wrong, or the file was changed: give the passphrase with which it was made."
+WRONG: Final = Text("backups-wrong-passphrase")
 
 Result = TypeVar("Result")
 
@@ -64,7 +61,7 @@ def opened_secret(sealed: str, passphrase: str) -> Secret:
         except (DecryptError, ValueError) as error:
             if TOO_MUCH_WORK not in str(error):
                 raise Refusal(WRONG) from error
-    raise Refusal(SLOW)
+    raise Refusal(Text("backups-passphrase-slow"))
 
 
 @contextmanager

@@ -18,6 +18,7 @@ from app.features.backup.hashed_tar import HashedTar, hashed_tar, members_of
 from app.features.backup.manifest import DAMAGED, MOST_BYTES, NAME, Manifest, StoredFile, read_manifest
 from app.features.backup.quiet_files import PART, QuietReader, QuietWriter, Reader, hash_of
 from app.refusals import Refusal
+from app.texts import Text
 
 Progress = Callable[[int], None]
 """Called with the number of bytes that were written or read since the last call."""
@@ -125,7 +126,7 @@ def read_part(
                 progress(member.size)
         require_equal([file for file in manifest.files if file.part == part], files)
     except (Refusal, FileNotFoundError) as error:
-        raise Refusal(f"This backup is damaged: {name} is missing or was changed. Take another one.") from error
+        raise Refusal(Text("backups-part-damaged", file=name)) from error
 
 
 def manifest_of(file: Path, secret: Secret | None) -> Manifest:

@@ -32,13 +32,12 @@ from app.features.backup.manifest import Manifest, StoredFile
 from app.file_modes import OWNER_FILE
 from app.files import write_atomically
 from app.refusals import Refusal
+from app.texts import Text
 
 HEADER: Final = "bodydrive-backups.json"
 RECORDINGS: Final = "runs"  # the folder of the recordings within the state folder
 STAMP: Final = "bodydrive-%Y-%m-%dT%H-%M-%S-%fZ.backup"
 PATTERN: Final = "bodydrive-*.backup"
-OTHER_CLINIC: Final = "holds the backups of another clinic: choose a folder of its own for this one"
-OTHER_KEY: Final = "holds backups with another passphrase, or without one: give that, or choose an empty folder"
 
 Progress = Callable[[str, int, int], None]
 """Called with what is being done ("store", "verify"), the bytes that are done, and the bytes of all."""
@@ -57,19 +56,19 @@ class BackupFolder:
         `clinic` is the mark of the clinic.
         """
         if not self.folder.is_dir():
-            raise Refusal(f"The folder {self.folder} is not there: connect the disk it lies on, or choose another.")
+            raise Refusal(Text("backups-folder-gone-choose", folder=str(self.folder)))
         file = self.folder / HEADER
         sealed = None if self.secret is None else self.secret.sealed
         if not file.exists():
             if any(self.folder.glob(PATTERN)) or (self.folder / PARTS).exists():
-                raise Refusal(f"{self.folder} holds backups, but its file {HEADER} is missing: choose another folder.")
+                raise Refusal(Text("backups-header-missing", folder=str(self.folder), file=HEADER))
             header = json.dumps({"format": 2, "clinic": clinic, "identity": sealed})
             write_atomically(file, header.encode() + b"\n", OWNER_FILE)
         folder_header = _header(self.folder)
         if folder_header["clinic"] != clinic:
-            raise Refusal(f"{self.folder} {OTHER_CLINIC}.")
+            raise Refusal(Text("backups-of-other-clinic", folder=str(self.folder)))
         if folder_header["identity"] != sealed:
-            raise Refusal(f"{self.folder} {OTHER_KEY}.")
+            raise Refusal(Text("backups-of-other-passphrase", folder=str(self.folder)))
 
     def names(self) -> list[str]:
         """Return the file names of all backups, the newest last."""
@@ -94,11 +93,11 @@ class BackupFolder:
                 break
             stored_parts = {part: stored for part, stored in stored_parts.items() if part not in wrong}
         else:
-            raise Refusal(f"{len(wrong)} files in {self.folder} read back wrongly: this disk is damaged, take another.")
+            raise Refusal(Text("backups-parts-unequal", files=len(wrong), folder=str(self.folder)))
         name = now.strftime(STAMP)
         write_backup(self.folder / name, self.secret, lambda _: manifest)
         if self.manifest(name) != manifest:
-            raise Refusal(f"The backup in {self.folder} reads back wrongly: this disk is damaged, take another.")
+            raise Refusal(Text("backups-unequal-in-folder", folder=str(self.folder)))
         self._remove_old(contents.passed)
         return name, manifest
 
@@ -200,7 +199,7 @@ def _header(folder: Path) -> dict[str, str | None]:
         if not isinstance(clinic, str) or not isinstance(identity, str | None):
             raise TypeError
     except (OSError, ValueError, KeyError, TypeError) as error:
-        raise Refusal(f"{folder} is no folder of backups: its file {HEADER} cannot be read.") from error
+        raise Refusal(Text("backups-header-unreadable", folder=str(folder), file=HEADER)) from error
     return {"clinic": clinic, "identity": identity}
 
 

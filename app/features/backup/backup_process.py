@@ -14,6 +14,7 @@ from app.features.backup.service import make_backup
 from app.file_modes import keep_new_files_private
 from app.refusals import Refusal
 from app.settings import Settings
+from app.texts import Text, text_of, to_document
 
 REPORT_EVERY: Final = 0.5  # s
 
@@ -33,8 +34,8 @@ class BackupMessage(TypedDict, total=False):
     step: str  # store or verify
     done: int  # bytes
     total: int  # bytes
-    made: dict[str, Any]  # fields of `MadeReport`
-    refused: str  # in one sentence
+    made: dict[str, Any]  # fields of `MadeReport`; its message is the document of a text, or None
+    refused: Any  # the document of a text
 
 
 def main() -> None:
@@ -59,18 +60,20 @@ def main() -> None:
             progress=progress,
         )
     except Refusal as refusal:
-        respond({"refused": str(refusal)})
+        respond({"refused": to_document(text_of(refusal))})
     except Exception as error:
-        respond({"refused": description(error)})
+        respond({"refused": to_document(description(error))})
     else:
-        respond({"made": asdict(report)})
+        respond({"made": asdict(report) | {"message": report.message and to_document(report.message)}})
 
 
-def description(error: Exception) -> str:
+def description(error: Exception) -> Text:
     """Return in one sentence why a backup failed."""
     why = getattr(error, "strerror", None) or str(error).partition("\n")[0] or type(error).__name__
     place = getattr(error, "filename", None)
-    return f"The backup could not be made ({why}{f': {place}' if place else ''}): look at the disks, then try again."
+    if place:
+        return Text("backups-failed-at", problem=why, place=str(place))
+    return Text("backups-failed", problem=why)
 
 
 if __name__ == "__main__":

@@ -18,6 +18,7 @@ from app.settings import Settings
 from app.store.backup import Counts, back_up
 from app.store.keeping.passed_time import passed_of
 from app.store.people import mark_of
+from app.texts import Text
 
 GOING_ON = 60.0  # s: an unfinished recording that was written to within this time is going on
 HEAD = f"{DATABASE}.log-head"
@@ -82,13 +83,13 @@ def clinic_mark(settings: Settings) -> str:
     with closing(sqlite3.connect(settings.database)) as connection:
         created = connection.execute("SELECT created FROM clinic ORDER BY id LIMIT 1").fetchone()
     if created is None:
-        raise Refusal(f"The clinic in {settings.state} is not set up yet: open its pages first.")
+        raise Refusal(Text("backups-not-set-up", folder=str(settings.state)))
     return mark_of(created[0])
 
 
 def _require_clinic(settings: Settings) -> None:
     if not settings.database.is_file():
-        raise Refusal(f"There is no clinic in {settings.state}: give its folder with --state.")
+        raise Refusal(Text("backups-no-clinic", folder=str(settings.state)))
 
 
 def _head_of(settings: Settings) -> Path:

@@ -10,6 +10,7 @@ from typing import Any, Final
 from app.features.backup.manifest import DAMAGED, StoredFile, is_safe
 from app.features.backup.quiet_files import PART, Reader, Writer
 from app.refusals import Refusal
+from app.texts import Text
 
 NANOSECONDS: Final = 1_000_000_000
 
@@ -59,7 +60,7 @@ class _Hashed:
         while len(content) < size:
             part = self._content.read(size - len(content))
             if not part:
-                raise Refusal(f"{self._path} was changed while it was copied: try again.")
+                raise Refusal(Text("backups-changed-meanwhile", file=self._path))
             content += part
         self.digest.update(content)
         return bytes(content)

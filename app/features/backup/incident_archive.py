@@ -51,6 +51,7 @@ from app.store.tables import (
     Table,
     Trial,
 )
+from app.texts import Text
 
 AT_ONCE = 500  # rows of the log in memory, and read under one lock of the database
 SECRET = {"token_hash"}  # columns
@@ -126,7 +127,7 @@ def _document(row: Table) -> dict[str, Any]:
     """Return the columns of a row for JSON, without secrets, and without what people wrote."""
     values = {column.key: getattr(row, column.key) for column in inspect(type(row)).column_attrs}
     return {
-        name: value.isoformat() if isinstance(value, date) else value
+        name: value.isoformat() if isinstance(value, date) else str(value) if isinstance(value, Text) else value
         for name, value in values.items()
         if name not in SECRET | WRITTEN
     }
@@ -162,7 +163,7 @@ def archive_incident(
         In one sentence, when it cannot be made; no file is left behind, and nothing is marked.
     """
     if target.exists():
-        raise Refusal(f"There is a file {target} already: choose another name.")
+        raise Refusal(Text("backups-file-there", file=str(target)))
     now = utc_now()
     since = now - PERIOD
     with database.reading() as db:
@@ -227,15 +228,15 @@ def check_incident(file: Path, public: bytes | None = None) -> ArchivedIncident:
     if files.keys() != {NAME, SIGNATURE, PUBLIC_KEY}:
         raise Refusal(DAMAGED)
     if public is not None and fingerprint(public) != fingerprint(files[PUBLIC_KEY]):
-        raise Refusal("Another key than the given one has signed this archive: ask where it comes from.")
+        raise Refusal(Text("backups-incident-other-key"))
     if not is_signed(files[NAME], files[SIGNATURE], files[PUBLIC_KEY]):
-        raise Refusal("The signature of this archive is wrong: it was changed after it was made.")
+        raise Refusal(Text("backups-incident-wrong-signature"))
     document: dict[str, Any] = json.loads(files[NAME])
     if document["files"] != hashes:
         wrong = sorted(
             name for name in {*hashes, *document["files"]} if hashes.get(name) != document["files"].get(name)
         )
-        raise Refusal(f"{wrong[0]} in this archive was changed, or is missing.")
+        raise Refusal(Text("backups-incident-changed", file=wrong[0]))
     recordings = {name.split("/")[1] for name in hashes if name.startswith("recordings/")}
     return ArchivedIncident(
         made=document["made"],

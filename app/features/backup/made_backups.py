@@ -9,6 +9,7 @@ from sqlalchemy.orm import Session
 from app.clock import utc_now
 from app.features.backup.tables import MadeBackup
 from app.store.log import write_log
+from app.texts import Text
 
 WARN_AFTER: Final = timedelta(days=3)
 SHOWN: Final = 20
@@ -22,7 +23,7 @@ def add_backup(
     name: str,
     in_folder: bool,
     good: bool,
-    message: str,
+    message: Text | str | None,
     files: int = 0,
     size: int = 0,
     digest: str = "",
@@ -37,7 +38,7 @@ def add_backup(
             name=name[:80],
             in_folder=in_folder,
             good=good,
-            message=message[:400],
+            message=message or "",
             files=files,
             bytes=size,
             encrypted=encrypted,
@@ -67,13 +68,12 @@ def last_good_backup(db: Session) -> MadeBackup | None:
     return db.scalar(select(MadeBackup).where(MadeBackup.good).order_by(MadeBackup.id.desc()).limit(1))
 
 
-def backup_warning(last_good: datetime | None, *, has_folder: bool, folder_is_there: bool) -> str:
-    """Return in one sentence what is wrong with the backups, empty when nothing is."""
+def backup_warning(last_good: datetime | None, *, has_folder: bool, folder_is_there: bool) -> Text | None:
+    """Return in one sentence what is wrong with the backups, None when nothing is."""
     if has_folder and not folder_is_there:
-        return "The folder of the backups is not there: connect the disk or network drive it lies on."
+        return Text("backups-warning-folder-gone")
     if last_good is None:
-        return "There is no good backup yet: choose a folder on another disk, then make one."
+        return Text("backups-warning-none")
     if utc_now() - last_good > WARN_AFTER:
-        days = (utc_now() - last_good).days
-        return f"The last good backup is {days} days old: the list of backups says why; make one now."
-    return ""
+        return Text("backups-warning-old", days=(utc_now() - last_good).days)
+    return None

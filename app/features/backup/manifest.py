@@ -9,6 +9,7 @@ from pathlib import PurePosixPath
 from typing import Any, Final
 
 from app.refusals import Refusal
+from app.texts import Text
 
 FORMAT: Final = 2
 NAME: Final = "manifest.json"
@@ -16,7 +17,7 @@ DATABASE: Final = "bodydrive.sqlite"  # the name of the database's copy within a
 MOST_BYTES: Final = 256 << 20  # of a manifest
 HEX: Final = frozenset("0123456789abcdef")
 PART_NAME: Final = re.compile(r"[0-9A-Za-z-]*")
-DAMAGED: Final = "This file is damaged or was cut off: take another one."
+DAMAGED: Final = Text("backups-damaged")
 
 
 @dataclass(frozen=True, slots=True)
@@ -70,14 +71,14 @@ def read_manifest(content: bytes) -> Manifest:
             raise ValueError
         document = json.loads(text)
         if document.pop("format") != FORMAT:
-            raise Refusal("This backup was made by another version of bodydrive: restore it with that version.")
+            raise Refusal(Text("backups-other-version"))
         files = tuple(StoredFile(**file) for file in document.pop("files"))
         left_out = tuple(map(str, document.pop("left_out")))
         manifest = Manifest(**document, left_out=left_out, files=files)
         if not all(map(_is_right, files)):
             raise ValueError
     except (ValueError, KeyError, TypeError, AttributeError, RecursionError) as error:
-        raise Refusal("This is no backup of bodydrive, or it was changed: take another one.") from error
+        raise Refusal(Text("backups-none")) from error
     return manifest
 
 
@@ -94,9 +95,6 @@ def is_safe(path: Any) -> bool:
     return not pure.is_absolute() and ".." not in pure.parts and str(pure) == path
 
 
-def left_out_text(left_out: Sequence[str]) -> str:
-    """Return in one sentence which recordings are not in a backup; empty when all are."""
-    if not left_out:
-        return ""
-    many = "One recording was" if len(left_out) == 1 else f"{len(left_out)} recordings were"
-    return f"{many} going on and left out: the next backup holds them."
+def left_out_text(left_out: Sequence[str]) -> Text | None:
+    """Return in one sentence how many recordings are not in a backup; None when all are."""
+    return Text("backups-left-out", recordings=len(left_out)) if left_out else None

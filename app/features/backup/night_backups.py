@@ -25,13 +25,12 @@ from app.settings import Settings
 from app.store.access.visible_patients import own_clinic_id
 from app.store.database import Database
 from app.store.people import the_clinic
+from app.texts import Text, from_document, to_document
 
 FIRST_HOUR: Final = 2  # local time of the backup of every night, until the owner chooses another
 AGAIN_AFTER: Final = timedelta(hours=1)  # a backup that failed is tried again
 LOOK_EVERY: Final = 60.0  # s
-ENDED: Final = "The process that makes the backup has ended: look at the disks, then try again."
-NO_FOLDER: Final = "No folder is chosen: choose one first."
-UNDER_WAY: Final = "A backup is being made already: wait until it is done."
+ENDED: Final = Text("backups-process-ended")
 
 logger = logging.getLogger("bodydrive")
 
@@ -88,7 +87,7 @@ class NightBackups:
     async def begin(self, person: str | None) -> None:
         """Begin a backup into the chosen folder; Conflict when there is none, or while another is being made."""
         if self.course is not None:
-            raise Conflict(UNDER_WAY)
+            raise Conflict(Text("backups-under-way"))
         self.course = BackupProgress("store", 0, 0)
         try:
             job = await asyncio.to_thread(self._job)
@@ -100,7 +99,7 @@ class NightBackups:
     def _job(self) -> BackupJob:
         chosen = self._chosen()
         if chosen is None or chosen.folder is None:
-            raise Conflict(NO_FOLDER)
+            raise Conflict(Text("backups-no-folder"))
         secret = read_secret(self._settings.backup)
         return {
             "state": str(self._settings.state),
@@ -123,17 +122,17 @@ class NightBackups:
         """Return the last message of the process that makes the backup."""
         try:
             if not await asyncio.to_thread(Path(job["target"]).is_dir):  # otherwise it would be taken for a file
-                return {"refused": f"The folder {job['target']} is not there: connect the disk it lies on."}
+                return {"refused": to_document(Text("backups-folder-gone", folder=job["target"]))}
             child = await JsonChild.start("app.features.backup.backup_process")
         except OSError:
-            return {"refused": ENDED}
+            return {"refused": to_document(ENDED)}
         try:
             await child.send(job)
             while "step" in (message := cast(BackupMessage, await child.receive())):
                 self.course = BackupProgress(message["step"], message["done"], message["total"])
         except OSError:
             logger.exception("The process that makes a backup has ended early")
-            return {"refused": ENDED}
+            return {"refused": to_document(ENDED)}
         else:
             return message
         finally:
@@ -141,10 +140,12 @@ class NightBackups:
 
     def _store(self, job: BackupJob, answer: BackupMessage, person: str | None) -> None:
         report = answer.get("made")
-        facts: dict[str, Any] = {"name": "", "good": False, "message": answer.get("refused", ENDED)}
+        refused = from_document(answer.get("refused", to_document(ENDED)))
+        facts: dict[str, Any] = {"name": "", "good": False, "message": refused}
         if report is not None:
-            same = {name: report[name] for name in ("name", "message", "files", "encrypted", "with_keys")}
-            facts = {**same, "good": True, "size": report["bytes"], "digest": report["hash"]}
+            same = {name: report[name] for name in ("name", "files", "encrypted", "with_keys")}
+            left_out = report["message"] and from_document(report["message"])
+            facts = {**same, "good": True, "message": left_out, "size": report["bytes"], "digest": report["hash"]}
         with self._database.transaction(closing=True) as db:
             add_backup(db, person, place=job["target"], in_folder=True, **facts)
 

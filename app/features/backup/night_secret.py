@@ -9,6 +9,7 @@ from app.features.backup.backup_folder import HEADER, BackupFolder, sealed_key_o
 from app.file_modes import OWNER_FILE
 from app.files import write_atomically
 from app.refusals import Refusal
+from app.texts import Text, text_of
 
 FILE: Final = "night-key.json"
 
@@ -33,20 +34,20 @@ def keep_secret(folder: Path, secret: Secret | None) -> None:
 
 def opened_folder(
     folder: Path, passphrase: str, secret_before: Secret | None, clinic: str
-) -> tuple[Secret | None, str]:
+) -> tuple[Secret | None, Text | str | None]:
     """Open a folder for the backups of every night: with a passphrase, or when it is empty with the key that is kept.
 
-    `clinic` is the mark of the clinic. Return the key, and in one sentence why the folder cannot be used, empty when it
+    `clinic` is the mark of the clinic. Return the key, and in one sentence why the folder cannot be used, None when it
     can; for the computing process, because making the key takes long.
     """
     try:
         secret = secret_of_folder(folder, passphrase) if passphrase else secret_before
         BackupFolder(folder, secret).open(clinic)
     except Refusal as refusal:
-        return None, str(refusal)
+        return None, text_of(refusal)
     except OSError as error:
-        return None, f"The folder {folder} cannot be written ({error.strerror}): choose another one."
-    return secret, ""
+        return None, Text("backups-folder-not-writable", folder=str(folder), problem=error.strerror or "")
+    return secret, None
 
 
 def secret_of_folder(folder: Path, passphrase: str) -> Secret:

@@ -17,6 +17,7 @@ from app.store.database import Database
 from app.store.keeping.erasure import erase_again
 from app.store.keeping.tombstones import Tombstone, read_tombstones
 from app.store.log import write_log
+from app.texts import Text
 
 WORK: Final = ".restoring"  # within the state folder, so that everything can be moved and nothing is copied again
 
@@ -61,10 +62,8 @@ def require_empty(settings: Settings) -> None:
     if settings.state.exists():
         foreign = sorted({place.name for place in settings.state.iterdir()} - {WORK, IN_USE, settings.erased.name})
         if foreign:
-            raise Refusal(
-                f"{settings.state} is not empty, it holds {foreign[0]}: restore into an empty folder. Of a clinic that "
-                f"was there before, leave only {settings.erased.name}."
-            )
+            folder, kept = str(settings.state), settings.erased.name
+            raise Refusal(Text("backups-not-empty", folder=folder, found=foreign[0], kept=kept))
 
 
 def _read_into(state: Path, backup: Path, secret: Secret | None) -> Manifest:
@@ -82,7 +81,7 @@ def _check_written(state: Path, manifest: Manifest) -> None:
     for file in manifest.files:
         with QuietReader(state / file.path) as written:
             if hash_of(written) != (file.size, file.sha256):
-                raise Refusal(f"{file.path} is not equal to what was backed up: take another backup, or another disk.")
+                raise Refusal(Text("backups-restored-unequal", file=file.path))
 
 
 def _opened_once(work: Settings, tombstones: frozenset[Tombstone], manifest: Manifest) -> int:

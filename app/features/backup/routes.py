@@ -7,7 +7,7 @@ from typing import Annotated, Literal
 from fastapi import APIRouter, Depends
 from pydantic import Field, SecretStr
 
-from app.api.answers import Answer, MomentText
+from app.api.answers import Answer, MomentText, Sentence
 from app.api.deps import ComputingPart, Db, Owner, RowId, SettingsPart
 from app.api.page_session import OF_CLINIC, OWN_NAME, any_session
 from app.api.parts import part
@@ -27,13 +27,11 @@ from app.store.keeping.incidents import all_incidents, lift_incident
 from app.store.keeping.passed_time import clock_warning
 from app.store.keeping.record_time import MOST_YEARS, record_time, set_record_time
 from app.store.log import write_log
+from app.texts import Text
 
 router = APIRouter(tags=["backup"])
 
 Reason = Annotated[Line, Field(min_length=3, max_length=400)]
-NOT_ABSOLUTE = "Give the whole path of the folder, beginning with /."
-INSIDE = "This folder lies in the clinic's own folder, or holds it: choose one on another disk."
-
 
 Backups = Annotated[NightBackups, Depends(part(NightBackups))]
 
@@ -68,7 +66,7 @@ class MadeBackupView(Answer):
     name: str
     in_folder: bool
     good: bool
-    message: str
+    message: Text
     files: int
     bytes: int
     encrypted: bool
@@ -92,7 +90,7 @@ class DeletedPatientView(Answer):
     deleted: MomentText
     until: MomentText
     recordings: int
-    why_not: str
+    why_not: Sentence
 
 
 class IncidentView(Answer):
@@ -129,6 +127,8 @@ def _view(settings: Settings, database: Database, backups: NightBackups) -> Back
     with database.reading() as db:
         chosen, good = backup_settings(db), last_good_backup(db)
         folder_is_there = chosen.folder is not None and Path(chosen.folder).is_dir()
+        last = None if good is None else good.at
+        warning = backup_warning(last, has_folder=chosen.folder is not None, folder_is_there=folder_is_there)
         course = backups.course
         return BackupsView(
             folder=chosen.folder,
@@ -136,11 +136,9 @@ def _view(settings: Settings, database: Database, backups: NightBackups) -> Back
             with_keys=chosen.with_keys,
             encrypted=read_secret(settings.backup) is not None,
             years=record_time(db),
-            warning=backup_warning(
-                None if good is None else good.at, has_folder=chosen.folder is not None, folder_is_there=folder_is_there
-            ),
-            clock=clock_warning(db),
-            last_good=None if good is None else good.at.isoformat(),
+            warning=str(warning or ""),
+            clock=str(clock_warning(db) or ""),
+            last_good=None if last is None else last.isoformat(),
             made=[MadeBackupView.of(row) for row in newest_backups(db)],
             course=None if course is None else CourseView.of(course),
             deleted=[DeletedPatientView.of(row) for row in deleted_patients(db)],
@@ -204,18 +202,18 @@ def _choose(
     backups: NightBackups,
 ) -> None:
     if backups.course is not None:
-        raise Conflict("A backup is being made: wait until it is done.")
+        raise Conflict(Text("backups-busy"))
     passphrase = "" if body.passphrase is None else body.passphrase.get_secret_value()
     secret_before = read_secret(settings.backup) if body.encrypted else None
     if body.encrypted and not passphrase and secret_before is None:
-        raise Conflict("Give a passphrase of at least 8 characters.")
+        raise Conflict(Text("backups-passphrase-short"))
     if body.folder is not None:
         folder = Path(body.folder)
         if not folder.is_absolute():
-            raise Conflict(NOT_ABSOLUTE)
+            raise Conflict(Text("backups-folder-relative"))
         place = folder.resolve()
         if place.is_relative_to(settings.state.resolve()) or settings.state.resolve().is_relative_to(place):
-            raise Conflict(INSIDE)
+            raise Conflict(Text("backups-folder-inside"))
         given = passphrase if body.encrypted else ""
         secret, why_not = computing.ask(opened_folder, folder, given, secret_before, clinic_mark(settings))
         if why_not:

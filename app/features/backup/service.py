@@ -18,11 +18,10 @@ from app.file_modes import OWNER_FOLDER
 from app.refusals import Conflict, Refusal
 from app.settings import Settings
 from app.store.keeping.tombstones import add_tombstones, read_tombstones
+from app.texts import Text
 
 Progress = Callable[[str, int, int], None]
 """Called with what is being done ("store", "verify"), the bytes that are done, and the bytes of all."""
-
-UNDER_WAY = "Another backup of this clinic is being made: wait until it is done."
 
 
 @dataclass(frozen=True, slots=True)
@@ -30,7 +29,7 @@ class MadeReport:
     """A good backup, in words and figures."""
 
     name: str  # of the file
-    message: str  # what was left out; empty when nothing was
+    message: Text | None  # what was left out; None when nothing was
     files: int
     bytes: int
     hash: str  # of all
@@ -66,9 +65,9 @@ def _in_one_file(
     settings: Settings, target: Path, secret: Secret | None, with_keys: bool, progress: Progress
 ) -> Manifest:
     if target.exists():
-        raise Refusal(f"There is a file {target} already: choose another name.")
+        raise Refusal(Text("backups-file-there", file=str(target)))
     if not target.absolute().parent.is_dir():
-        raise Refusal(f"There is no folder {target.absolute().parent}: make it, or choose another place.")
+        raise Refusal(Text("backups-no-folder-for-file", folder=str(target.absolute().parent)))
     with contents_of(settings, with_keys=with_keys) as contents:
         total, done = sum(source.size for source in contents.sources), 0
 
@@ -88,7 +87,7 @@ def _in_one_file(
             raise Refusal("its manifest is another")
     except (Refusal, OSError) as error:
         target.unlink(missing_ok=True)
-        raise Refusal(f"The backup {target} reads back wrongly: this disk is damaged, take another.") from error
+        raise Refusal(Text("backups-unequal", file=str(target))) from error
     return written
 
 
@@ -99,7 +98,7 @@ def _one_at_a_time(settings: Settings) -> Iterator[None]:
         try:
             fcntl.flock(file, fcntl.LOCK_EX | fcntl.LOCK_NB)
         except OSError as error:
-            raise Conflict(UNDER_WAY) from error
+            raise Conflict(Text("backups-other-under-way")) from error
         yield
 
 

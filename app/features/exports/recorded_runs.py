@@ -129,7 +129,7 @@ def _trials(db: Session, patient_id: int) -> dict[str, RecordedTrial]:
             started=trial.started,
             end=trial.end,
             kept=trial.kept,
-            reason=trial.discard_reason,
+            reason=None if trial.discard_reason is None else str(trial.discard_reason),
             measures=trial.measures or {},
             map_version=version,
             parameters_hash=parameters_hash,

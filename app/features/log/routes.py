@@ -14,6 +14,7 @@ from app.quantities import Document
 from app.store.log import write_log
 from app.store.log_chain import verify_log
 from app.store.patients import find_patient
+from app.texts import Text
 
 router = APIRouter(prefix="/log", tags=["log"])
 
@@ -28,7 +29,7 @@ class LogCheckView(Answer):
 
     whole: bool
     rows: int
-    message: str
+    message: Text
 
 
 class LogEntryView(Answer):

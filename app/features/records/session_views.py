@@ -14,6 +14,7 @@ from app.store.interface_tests import interface_tests_of_session
 from app.store.origins import origin_of
 from app.store.session_contents import drives_of_session, sets_of_session, trials_of_session
 from app.store.tables import Patient, PatientSession
+from app.texts import Text
 
 
 class SignOffView(Answer):
@@ -77,7 +78,7 @@ class SessionTrial(Answer):
     status: str
     end: str | None
     kept: bool
-    discard_reason: str | None
+    discard_reason: Text | None
     measures: dict[str, Any] | None
     source: SourceView
 

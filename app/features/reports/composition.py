@@ -124,7 +124,7 @@ def _counted(sessions: tuple[SessionMaterial, ...]) -> str:
     if not left_out:
         return str(Text("report-trials-counted", count=counted))
     unmeasured = str(Text("report-trial-not-measured"))
-    reasons = "; ".join(dict.fromkeys(without_invisible(reason or unmeasured) for *_, reason in left_out))
+    reasons = "; ".join(dict.fromkeys(without_invisible(str(reason or unmeasured)) for *_, reason in left_out))
     return str(Text("report-trials-left-out", count=counted, left=len(left_out), reasons=reasons))
 
 

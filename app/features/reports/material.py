@@ -42,7 +42,7 @@ class SessionMaterial:
     opened_by: str | None
     record: SessionRecord
     counted: int  # trials
-    left_out: tuple[tuple[str, int, str], ...]  # floor plan's title, number of the trial, reason ("": not measured)
+    left_out: tuple[tuple[str, int, Text | str], ...]  # floor plan's title, trial's number, reason ("": not measured)
     origin: Origin | None = None  # None: held in this clinic
 
 

@@ -9,7 +9,7 @@ from fastapi import APIRouter, Depends
 from sqlalchemy import func, select, text
 from sqlalchemy.orm import Session
 
-from app.api.answers import Answer
+from app.api.answers import Answer, Sentence
 from app.api.deps import Anyone, Db
 from app.api.parts import part
 from app.clock import utc_now
@@ -103,7 +103,7 @@ class AttentionView(Answer):
     number: int  # of drives, trials, comments, sessions or days
     session_id: int | None  # where to look; both null: the patient's learning curve
     trial_id: int | None
-    sentence: str  # of a deterioration, else empty
+    sentence: Sentence  # of a deterioration, else empty
 
 
 class PatientAttention(Document):

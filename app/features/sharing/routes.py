@@ -103,12 +103,13 @@ class NewLinks:
                 link, token = add_share(db, patient, session_id, pin_hash, days, person.name)
                 details = {"patient": patient, "session": session_id, "share": link.id, "days": days}
                 write_log(db, person.name, "share link made", **details)
+                hints = (reach_hint(self.settings, address), setup_hint(self.settings))
                 return MadeShare(
                     patient_id=patient,
                     shares=_rows(db, patient),
                     url=f"{address.base}{PAGE}{token}",
                     pin=pin,
-                    message=" ".join(filter(None, (reach_hint(self.settings, address), setup_hint(self.settings)))),
+                    message=" ".join(map(str, filter(None, hints))),
                 )
 
         await run_in_threadpool(check)  # before the PIN is hashed, which takes long

@@ -21,6 +21,7 @@ from app.store.consent import has_consented, require_consent
 from app.store.own_rows import own_row
 from app.store.patients import find_patient
 from app.store.tables import Patient
+from app.texts import Text
 
 TOKEN_BYTES = 32
 PIN_DIGITS = 6
@@ -58,7 +59,7 @@ def add_share(
     find_patient(db, patient_id)
     require_consent(db, patient_id, "sharing")
     if sum(share_state(link) == "open" for link in shares_of(db, patient_id)) >= MOST_LINKS:
-        raise Conflict(f"{MOST_LINKS} links of this patient can be opened already: revoke one first.")
+        raise Conflict(Text("sharing-links-most", most=MOST_LINKS))
     token, now = secrets.token_urlsafe(TOKEN_BYTES), utc_now()
     link = ShareLink(
         clinic_id=own_clinic_id(db),
@@ -91,7 +92,7 @@ def last_opened(db: Session, share_id: int) -> datetime | None:
 
 def find_share(db: Session, share_id: int) -> ShareLink:
     """Return one of the clinic's links; its patient is visible and not deleted."""
-    link = own_row(db, ShareLink, share_id, f"There is no share link {share_id}: choose one of the list.")
+    link = own_row(db, ShareLink, share_id, Text("sharing-no-link", link=share_id))
     find_patient(db, link.patient_id)
     return link
 
@@ -99,7 +100,7 @@ def find_share(db: Session, share_id: int) -> ShareLink:
 def revoke_share(db: Session, link: ShareLink) -> None:
     """End a link and every visit of it."""
     if link.revoked is not None:
-        raise Conflict("This link was revoked already.")
+        raise Conflict(Text("sharing-link-revoked"))
     link.revoked = utc_now()
     db.flush()
 

@@ -41,6 +41,7 @@ from app.store.learning_trials import CountedTrial, counted_trials
 from app.store.log import write_log
 from app.store.patients import find_session, sessions_of
 from app.store.tables import Patient
+from app.texts import Text
 from app.world.path_titles import path_title
 
 router = APIRouter(prefix="/shared", tags=["sharing"], dependencies=[ForEveryone])
@@ -49,8 +50,8 @@ COOKIE = "bodydrive_share"
 COOKIE_PATH = "/api/v1/shared"
 MOST_SESSIONS = 40  # the newest, of a course
 
-WRONG = "The link or the PIN is wrong, or the link has ended: ask the clinic for a new one."
-NO_VISIT = "Give the PIN of this link: it was told to you separately."
+WRONG = Text("sharing-wrong-pin")
+NO_VISIT = Text("sharing-no-pin")
 
 
 class TaskLearning(Document):
@@ -152,7 +153,7 @@ async def open_share(
     attempt = await sign_in_limits.code(address_of(request))
     share = await run_in_threadpool(_count, database, body.token)
     if share is None:
-        raise HTTPException(401, WRONG)
+        raise HTTPException(401, str(WRONG))
     share_id, patient_id, pin_hash = share
     try:
         async with hashing.slot():
@@ -164,7 +165,7 @@ async def open_share(
     token = await run_in_threadpool(_note, database, share_id, patient_id, is_right=is_right)
     live.notify(CHANGED)
     if token is None:
-        raise HTTPException(401, WRONG)
+        raise HTTPException(401, str(WRONG))
     attempt.take_back()
     seconds = int(VISIT.total_seconds())
     set_cookie(request, response, COOKIE, token, COOKIE_PATH, max_age=seconds, samesite="strict")
@@ -206,7 +207,7 @@ def _visit(database: Database, request: Request) -> SharedRecords:
     with every_patient(), database.reading() as db:
         before = find_visit(db, token) if token else None
     if before is None:
-        raise HTTPException(401, NO_VISIT)
+        raise HTTPException(401, str(NO_VISIT))
     return before
 
 

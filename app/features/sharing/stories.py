@@ -48,7 +48,7 @@ def _done(db: Session, session: PatientSession) -> Iterator[StoryEvent]:
             "path": trial.path,
             "end": trial.end,
             "kept": trial.kept,
-            "discard_reason": trial.discard_reason,
+            "discard_reason": None if trial.discard_reason is None else str(trial.discard_reason),
             "simulated": trial.run.simulated,
             **interruptions_of(trial.measures),
         }

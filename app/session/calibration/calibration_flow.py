@@ -293,7 +293,7 @@ class CalibrationFlow:
             rows = calibration_steps(db, session_id)
             script, current, result = session.script, session.current_step, session.result
             accepted = session.accepted
-            status = {step: (row.status, row.words) for step, row in rows.items()}
+            status = {step: (row.status, str(row.words)) for step, row in rows.items()}
             new = self._new_layout(session, rows)
         if new is not None:
             script, current, result, accepted = _script(new), None, None, False

@@ -13,11 +13,10 @@ from app.refusals import Conflict
 from app.store.access.person_tables import Invitation, Person
 from app.store.access.rights import end_sign_ins
 from app.store.log import write_log
+from app.texts import Text
 
 CODE_BYTES = 32
 VALID_FOR = timedelta(hours=24)
-
-DISABLED = "{name} is disabled: enable this person first, then make a link."
 
 
 @dataclass(frozen=True, slots=True)
@@ -38,7 +37,7 @@ def invite(db: Session, person: Person, by: str | None) -> MadeInvitation:
     `by` is the name of the owner who asks, None for the command line.
     """
     if person.disabled is not None:
-        raise Conflict(DISABLED.format(name=person.name))
+        raise Conflict(Text("store-invited-disabled", name=person.name))
     forget_invitation(db, person)
     code, now = secrets.token_urlsafe(CODE_BYTES), utc_now()
     expires = now + VALID_FOR

@@ -11,18 +11,16 @@ from app.store.access.person_tables import Invitation, KnownBrowser, Person, Sig
 from app.store.log import write_log
 from app.store.own_rows import own_row
 from app.store.patients import find_patient
+from app.texts import Text
 
 PersonRole = Literal["owner", "clinician", "reviewer"]
 EXPORTERS: Final[frozenset[PersonRole]] = frozenset({"owner", "clinician"})
 """Who may take reports and exports out of the clinic."""
 
-LAST_OWNER = "{name} is the last owner who can sign in, and stays one: make somebody else an owner first."
-ONLY_REVIEWERS = "Patients are chosen for reviewers only: owners and clinicians work with all of them."
-
 
 def find_person_by_id(db: Session, person_id: int) -> Person:
     """Return one of the clinic's people."""
-    return own_row(db, Person, person_id, f"There is no person {person_id}: choose one of the list.")
+    return own_row(db, Person, person_id, Text("store-no-person", person=person_id))
 
 
 def people_of(db: Session) -> list[Person]:
@@ -35,7 +33,7 @@ def checked_patients(db: Session, role: str, patients: list[int] | None) -> list
     if patients is None:
         return None
     if role != "reviewer":
-        raise Conflict(ONLY_REVIEWERS)
+        raise Conflict(Text("store-patients-of-reviewers"))
     return sorted({find_patient(db, patient).id for patient in patients})
 
 
@@ -89,11 +87,11 @@ def _require_another_owner(db: Session, person: Person) -> None:
     )
     owners = set(db.scalars(able))
     if owners == {person.id}:
-        raise Conflict(LAST_OWNER.format(name=person.name))
+        raise Conflict(Text("store-last-owner", name=person.name))
 
 
 def needed_person(person: Person | None, name: str) -> Person:
     """Return a person who was looked up by name; NotFound when there is none."""
     if person is None:
-        raise NotFound(f"There is nobody called '{name}': see the list of people.")
+        raise NotFound(Text("store-nobody-called", name=name))
     return person

@@ -11,6 +11,7 @@ from app.clock import utc_now
 from app.refusals import NotFound
 from app.store.access.person_tables import Person, SignIn
 from app.store.log import write_log
+from app.texts import Text
 
 TOKEN_BYTES = 32
 SIGNED_IN_FOR = timedelta(hours=12)  # a working day
@@ -61,7 +62,7 @@ def unlock(db: Session, sign_in_id: int) -> None:
     row = db.get(SignIn, sign_in_id)
     person = None if row is None else db.get(Person, row.person_id)
     if row is None or person is None:
-        raise NotFound("This sign-in has ended: sign in again.")
+        raise NotFound(Text("store-sign-in-ended"))
     row.active = utc_now()
     write_log(db, person.name, "unlocked")
 

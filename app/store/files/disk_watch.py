@@ -10,6 +10,7 @@ from pathlib import Path
 from app.disk_room import LITTLE_ROOM, NO_ROOM, ROOM_TO_RECORD
 from app.refusals import DiskFull
 from app.store.files.ballast import Ballast
+from app.texts import Figure, Text
 
 WATCH_EVERY = 1.0  # s: people are notified of a full disk within 2 s
 
@@ -21,35 +22,26 @@ class DiskRoom:
     """The free room on a disk."""
 
     free: int  # bytes
-    message: str  # what to do about it, empty while there is enough
+    message: Text | None  # what to do about it, None while there is enough
 
 
 def disk_room(folder: Path) -> DiskRoom:
     """Return how much room is left on the disk of `folder`."""
     free = shutil.disk_usage(folder).free
     if free < NO_ROOM:
-        return DiskRoom(
-            free,
-            "The disk of the recordings is full: nothing more is recorded, driven or saved. The session can still be "
-            "ended, and people can sign out. Make room on the computer that runs bodydrive.",
-        )
+        return DiskRoom(free, Text("store-disk-full"))
     if free < LITTLE_ROOM:
-        return DiskRoom(
-            free,
-            f"Only {free / 1e9:.1f} GB are free on the disk of the recordings, and below "
-            f"{ROOM_TO_RECORD / 1e9:.1f} GB nothing is recorded or driven any more: make room.",
-        )
-    return DiskRoom(free, "")
+        shown = Figure(round(free / 1e9, 1), 1)  # rounded, so that the text changes only when its sentence does
+        return DiskRoom(free, Text("store-disk-little", free=shown, needed=Figure(ROOM_TO_RECORD / 1e9, 1)))
+    return DiskRoom(free, None)
 
 
 def require_room_to_record(folder: Path) -> None:
     """Raise DiskFull when nothing could be recorded on the disk of `folder`."""
     free = disk_room(folder).free
     if free < ROOM_TO_RECORD:
-        raise DiskFull(
-            f"No session is opened: only {free // 1_000_000} MB are free on the disk of the recordings. Make "
-            f"{ROOM_TO_RECORD / 1e6:.0f} MB free on the computer that runs bodydrive, then open it again."
-        )
+        needed = Figure(ROOM_TO_RECORD / 1e6)
+        raise DiskFull(Text("store-disk-no-session", free=free // 1_000_000, needed=needed))
 
 
 class DiskWatch:
@@ -59,7 +51,7 @@ class DiskWatch:
         self._folder = folder
         self._ballast = ballast
         self._notify = notify
-        self._message = ""
+        self._message: Text | None = None
         self._task: asyncio.Task[None] | None = None
 
     def start(self) -> None:
@@ -84,6 +76,6 @@ class DiskWatch:
                 self._notify("disk")
             await asyncio.sleep(WATCH_EVERY)
 
-    def _check(self) -> str:
+    def _check(self) -> Text | None:
         self._ballast.refill()
         return disk_room(self._folder).message

@@ -7,6 +7,7 @@ from typing import Literal
 
 from app.refusals import Conflict
 from app.similar_names import require_distinct
+from app.texts import Text
 
 LONGEST_NAME = 64
 
@@ -16,7 +17,7 @@ SameName = Literal["ask", "keep-both", "replace"]
 class NameTaken(Conflict):
     """The name is taken: a person chooses between the proposed free name and replacing the file."""
 
-    def __init__(self, sentence: str, proposed: str, *, may_replace: bool) -> None:
+    def __init__(self, sentence: Text, proposed: str, *, may_replace: bool) -> None:
         super().__init__(sentence)
         self.proposed = proposed
         self.may_replace = may_replace
@@ -47,8 +48,8 @@ def name_for(name: str, taken: Collection[str], same_name: SameName, *, may_repl
         return proposed
     if same_name == "replace" and may_replace:
         return standing
-    choice = "keep both, or replace it" if may_replace else "keep both"
-    raise NameTaken(f"There is '{standing}' already: {choice}.", proposed, may_replace=may_replace)
+    replaceable, fixed = Text("store-name-taken-replace", name=standing), Text("store-name-taken", name=standing)
+    raise NameTaken(replaceable if may_replace else fixed, proposed, may_replace=may_replace)
 
 
 def free_name(name: str, taken: Collection[str]) -> str:

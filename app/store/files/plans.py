@@ -9,6 +9,7 @@ from app.files import write_atomically
 from app.refusals import Conflict, NotFound
 from app.store.files.name_conflicts import SameName, name_for
 from app.store.files.replacements import ReplacedFiles
+from app.texts import Text
 from app.world.floorplan import FloorPlan, bundled_floorplans, load_floorplan
 from app.world.scene import bundled_scenes
 
@@ -53,13 +54,11 @@ class OwnPlans:
         """Save a plan; one that it replaces goes on the shelf. NameTaken when the name is taken and nobody chose."""
         with self._one_at_a_time:
             if is_bundled(plan.name):
-                raise Conflict(
-                    f"The name '{plan.name}' belongs to a plan that comes with the software: choose another."
-                )
+                raise Conflict(Text("store-plan-name-bundled", name=plan.name))
             taken = [file.stem for file in self._folder.glob("*.json")]
             name = name_for(plan.name, taken, same_name)
             if name not in taken and len(taken) >= MOST_PLANS:
-                raise Conflict(f"There are {MOST_PLANS} floor plans of your own already: delete some first.")
+                raise Conflict(Text("store-plans-most", most=MOST_PLANS))
             shelf.shelve("floorplan", self._file(name))
             saved = plan.model_copy(update={"name": name})
             return OwnPlan(name, saved.title, self._save(saved))
@@ -68,17 +67,17 @@ class OwnPlans:
         """Save the next version of a plan that is at `version`; Conflict when somebody saved it meanwhile."""
         with self._one_at_a_time:
             if is_bundled(plan.name):
-                raise Conflict("A plan that comes with the software stays as it is: save yours as a new plan.")
+                raise Conflict(Text("store-plan-bundled-kept"))
             self._needed(plan.name)
             if self.version(plan.name) != version:
-                raise Conflict("Somebody else saved this floor plan meanwhile: save yours as a new plan.")
+                raise Conflict(Text("store-plan-saved-meanwhile"))
             return self._save(plan)
 
     def remove(self, name: str) -> None:
         """Delete a plan; its versions stay."""
         with self._one_at_a_time:
             if is_bundled(name):
-                raise Conflict("A plan that comes with the software cannot be deleted.")
+                raise Conflict(Text("store-plan-bundled-not-deleted"))
             self._needed(name)
             self._store_version(name)
             self._file(name).unlink()
@@ -88,7 +87,7 @@ class OwnPlans:
         with self._one_at_a_time:
             versions = self._version_files(name)
             if self._file(name).is_file() or not versions:
-                raise NotFound(f"There is no deleted floor plan '{name}': look at the list.")
+                raise NotFound(Text("store-no-deleted-plan", name=name))
             write_atomically(self._file(name), versions[-1].read_bytes())
             return len(versions)
 
@@ -109,7 +108,7 @@ class OwnPlans:
 
     def _needed(self, name: str) -> None:
         if not self._file(name).is_file():
-            raise NotFound(f"There is no floor plan '{name}' of your own: choose one of the list.")
+            raise NotFound(Text("store-no-plan", name=name))
 
     def _file(self, name: str) -> Path:
         return self._folder / f"{name}.json"

@@ -12,6 +12,7 @@ from app.files import write_atomically
 from app.refusals import NotFound
 from app.settings import Settings
 from app.store.files.name_conflicts import SameName, free_name, name_for
+from app.texts import Text
 
 KEPT_FOR: Final = timedelta(days=30)
 STAMP: Final = "%Y%m%dT%H%M%S.%fZ"  # UTC, ISO 8601
@@ -79,7 +80,7 @@ class ReplacedFiles:
         for file in self._all():
             if (file.kind, file.id) == (kind, identity):
                 return file, (self._shelf / kind / identity).read_bytes()
-        raise NotFound("There is no such replaced file, or its 30 days are over: look at the list.")
+        raise NotFound(Text("store-no-replaced-file"))
 
     def restore(self, kind: Kind, identity: str) -> str:
         """Restore a file, under a free name when its own is taken, and return the name."""

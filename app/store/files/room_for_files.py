@@ -2,19 +2,16 @@
 
 from math import ceil, floor
 from pathlib import Path
+from typing import Literal
 
 from app.disk_room import ROOM_TO_RECORD
 from app.store.files.disk_watch import disk_room
-
-NO_ROOM_TO_MAKE = (
-    "There is no room for this {what}: {needed} MB must be free on the disk where it is made, and {free} MB are. "
-    "Make room, then try again; nothing was made."
-)
+from app.texts import Text
 
 
-def room_refusal(what: str, size: float, place: Path) -> str:
-    """Return why `what`, of this many bytes, cannot be made in the folder `place`; an empty text when it can."""
+def room_refusal(what: Literal["archive", "export"], size: float, place: Path) -> Text | None:
+    """Return why `what`, of this many bytes, cannot be made in the folder `place`; None when it can."""
     needed, free = size + ROOM_TO_RECORD, disk_room(place).free
-    return (
-        "" if free >= needed else NO_ROOM_TO_MAKE.format(what=what, needed=ceil(needed / 1e6), free=floor(free / 1e6))
-    )
+    if free >= needed:
+        return None
+    return Text("store-no-room-to-make", what=what, needed=ceil(needed / 1e6), free=floor(free / 1e6))

@@ -36,6 +36,7 @@ from app.store.log import write_log
 from app.store.own_rows import own_row
 from app.store.schema import metadata
 from app.store.tables import Patient, PatientSession, Run
+from app.texts import Text
 
 UNDO_FOR: Final = timedelta(days=30)  # a deleted patient can be brought back, and is then erased
 AFTER_30_DAYS = "30 days after the deletion"
@@ -51,7 +52,7 @@ class DeletedPatient:
     deleted: datetime
     until: datetime  # when the patient is erased
     recordings: int
-    why_not: str  # why the patient cannot be erased now; empty when nothing is in the way
+    why_not: Text | None  # why the patient cannot be erased now; None when nothing is in the way
 
 
 def deleted_patients(db: Session) -> list[DeletedPatient]:
@@ -154,27 +155,21 @@ def _described(db: Session, patient: Patient, deleted: datetime) -> DeletedPatie
 
 
 def _deleted_patient(db: Session, patient_id: int) -> Patient:
-    missing = f"There is no deleted patient {patient_id}: look at the list."
+    missing = Text("store-no-deleted-patient", patient=patient_id)
     patient = own_row(db, Patient, patient_id, missing, deleted=True)
     if patient.deleted is None:
         raise NotFound(missing)
     return patient
 
 
-def _refusal(db: Session, patient: Patient) -> str:
+def _refusal(db: Session, patient: Patient) -> Text | None:
     incident = incident_of(db, patient.id)
     if incident is not None:
-        return (
-            f"{patient.code} is part of the incident of {incident.made:%Y-%m-%d} and must not be erased: an owner "
-            "lifts the mark of the incident first."
-        )
+        return Text("store-incident-not-erased", code=patient.code, made=incident.made.date())
     until = must_be_kept_until(db, patient)
     if until is not None and not patient.deletion_reason:
-        return (
-            f"The records of {patient.code} must be kept until {until:%Y-%m-%d}: undo the deletion, then delete again "
-            "with a reason."
-        )
-    return ""
+        return Text("store-records-kept", code=patient.code, until=until.date())
+    return None
 
 
 def _erase(db: Session, patient: Patient, now: datetime) -> RowIds:

@@ -12,6 +12,7 @@ from app.store.access.visible_patients import WITH_DELETED, own_clinic_id
 from app.store.keeping.keeping_tables import Incident, IncidentPatient
 from app.store.log import write_log
 from app.store.own_rows import own_row
+from app.texts import Text
 
 
 def mark_incident(db: Session, since: datetime, digest: str, patients: Iterable[int], person: str | None) -> Incident:
@@ -43,8 +44,8 @@ def incident_of(db: Session, patient_id: int) -> Incident | None:
 
 def lift_incident(db: Session, incident_id: int, reason: str, person: str) -> None:
     """Permit that the records of an incident are erased."""
-    incident = own_row(db, Incident, incident_id, f"There is no incident {incident_id}: look at the list.")
+    incident = own_row(db, Incident, incident_id, Text("store-no-incident", incident=incident_id))
     if incident.lifted is not None:
-        raise Conflict("The mark of this incident was lifted already.")
+        raise Conflict(Text("store-incident-lifted"))
     incident.lifted, incident.reason = utc_now(), reason
     write_log(db, person, "incident mark lifted", incident=incident_id)

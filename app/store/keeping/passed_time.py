@@ -19,6 +19,7 @@ from app.clock import boot_name, monotonic, utc_now
 from app.store.keeping.keeping_tables import PassedTime
 from app.store.log import write_log
 from app.store.tables import LogEntry
+from app.texts import Text
 
 DAY: Final = 86_400.0  # s
 TAKEN_OFF_FOR: Final = 30 * DAY  # of counted time; nothing that is erased by itself waits for longer
@@ -105,21 +106,13 @@ def store_clocks(db: Session) -> None:
         write_log(db, None, "clock jumped", seconds=round(jump))
 
 
-def clock_warning(db: Session) -> str:
-    """Return in one sentence that the wall clock went forward, while that keeps back what is to be erased."""
+def clock_warning(db: Session) -> Text | None:
+    """Return that the wall clock went forward, while that keeps back what is to be erased; None: it does not."""
     jumps = compare_clocks(_last(db), _reading())[0].jumps
     days = sum(jump.by for jump in jumps if jump.told) / DAY
     if not days:
-        return ""
-    return (
-        f"The clock of this machine went on by {_of_days(days)} for which it did not run: it was set forward, or the "
-        "machine was off. Nothing is erased because of that: deleted patients, replaced files and old backups stay "
-        "that much longer. Check date and time."
-    )
-
-
-def _of_days(days: float) -> str:
-    return f"{days * 24:.0f} hours" if days < 2 else f"{days:.0f} days"
+        return None
+    return Text("store-clock-hours", hours=round(days * 24)) if days < 2 else Text("store-clock-days", days=round(days))
 
 
 def _reading() -> Reading:

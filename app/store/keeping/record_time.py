@@ -11,6 +11,7 @@ from app.store.access.visible_patients import WITH_DELETED, own_clinic_id
 from app.store.keeping.keeping_tables import RecordKeeping
 from app.store.keeping.passed_time import passed_now
 from app.store.tables import Patient, PatientSession
+from app.texts import Text
 
 MOST_YEARS: Final = 100
 
@@ -48,6 +49,4 @@ def require_reason(db: Session, patient: Patient, reason: str) -> None:
     """Refuse a deletion without a reason while the records must be kept."""
     until = must_be_kept_until(db, patient)
     if until is not None and not reason:
-        raise Conflict(
-            f"The records of {patient.code} must be kept until {until:%Y-%m-%d}: give a reason to delete them earlier."
-        )
+        raise Conflict(Text("store-records-kept-reason", code=patient.code, until=until.date()))

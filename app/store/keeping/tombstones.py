@@ -13,6 +13,7 @@ from pathlib import Path
 from app.file_modes import OWNER_FILE
 from app.files import write_atomically
 from app.refusals import Unavailable
+from app.texts import Text
 
 
 @dataclass(frozen=True, slots=True, order=True)
@@ -39,10 +40,7 @@ def read_tombstones(file: Path) -> frozenset[Tombstone]:
     except FileNotFoundError:
         return frozenset()
     except (ValueError, KeyError, TypeError, OSError) as error:
-        raise Unavailable(
-            f"The list of erased patients in {file} cannot be read: put a copy of it back, from the folder of the "
-            f"backups or out of a backup."
-        ) from error
+        raise Unavailable(Text("store-erased-list-unreadable", file=str(file))) from error
 
 
 def add_tombstones(file: Path, new: Iterable[Tombstone]) -> frozenset[Tombstone]:

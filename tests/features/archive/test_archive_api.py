@@ -108,14 +108,14 @@ def test_an_archive_without_room_on_the_disk_is_refused_before_anything_is_made(
     settings = signed_in.settings
     assert room == {"bytes": sum(file.stat().st_size for file in (settings.runs / RUN).iterdir()), "message": ""}
     needed = room["bytes"] + ROOM_TO_RECORD
-    monkeypatch.setattr(room_for_files, "disk_room", lambda _: DiskRoom(needed - 1, ""))
+    monkeypatch.setattr(room_for_files, "disk_room", lambda _: DiskRoom(needed - 1, None))
     refused = signed_in("GET", f"/patients/{patient}/archive")
     words = refused.json()["detail"]
     assert (refused.status_code, words.startswith("There is no room for this archive: 501 MB must")) == (507, True)
     assert signed_in.good("GET", f"/patients/{patient}/archive/room") == {**room, "message": words}
     assert [row for row in signed_in.log() if row.what == "export"] == []
     assert list(settings.state.glob(".export-*")) == []
-    monkeypatch.setattr(room_for_files, "disk_room", lambda _: DiskRoom(needed, ""))
+    monkeypatch.setattr(room_for_files, "disk_room", lambda _: DiskRoom(needed, None))
     assert signed_in("GET", f"/patients/{patient}/archive").status_code == 200
 
 
@@ -123,7 +123,7 @@ def test_an_export_without_room_on_the_disk_is_refused_before_anything_is_made(
     signed_in: Any, package: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     patient = brought(signed_in, package).json()["patient_id"]
-    monkeypatch.setattr(room_for_files, "disk_room", lambda _: DiskRoom(ROOM_TO_RECORD, ""))
+    monkeypatch.setattr(room_for_files, "disk_room", lambda _: DiskRoom(ROOM_TO_RECORD, None))
     refused = signed_in("GET", f"/patients/{patient}/export?form=csv")
     words = refused.json()["detail"]
     assert (refused.status_code, words.startswith("There is no room for this export: 501 MB must")) == (507, True)
@@ -209,7 +209,7 @@ def test_a_full_disk_or_a_file_without_end_is_refused(
     before = state_of(signed_in)
     given = {"Content-Type": "application/zip", "Content-Length": "9000000000"}
     assert signed_in("POST", "/archives", content=b"PK", headers=given).status_code == 413
-    monkeypatch.setattr(routes, "disk_room", lambda _: DiskRoom(1000, ""))
+    monkeypatch.setattr(routes, "disk_room", lambda _: DiskRoom(1000, None))
     assert "make room" in sentence_of(brought(signed_in, package), 507)
     assert state_of(signed_in) == before
 

@@ -13,7 +13,14 @@ from exported_clinic import make_clinic
 from features.archive.archive_clinics import archive_of, bring, empty_clinic, rewrite
 
 from app.features.archive.archive_file import LIST, REPORT, open_archive
-from app.features.archive.patient_rows import LEFT_OUT, archived_tables, exchanged, not_archived, table_of
+from app.features.archive.patient_rows import (
+    LEFT_OUT,
+    archived_tables,
+    exchanged,
+    not_archived,
+    patient_rows,
+    table_of,
+)
 from app.features.archive.service import make_archive
 from app.features.comments.service import add_comment, comment_history, comments_of, mark_read, revise_comment
 from app.features.comments.tables import MomentComment
@@ -24,6 +31,7 @@ from app.settings import Settings
 from app.store.database import Database
 from app.store.keeping.owned_rows import tables_in
 from app.store.tables import Trial
+from app.texts import Text, reader_language
 
 
 @pytest.fixture(scope="module")
@@ -83,6 +91,14 @@ def test_comments_come_along_with_author_moment_and_history(
         mark_read(db, comment.trial_id, ben)
         assert comments_of(db, patient_id=patient, not_read_by=ben) == []
     assert archive_of(other, tmp_path / "again.zip", patient, "Ben") == digest
+
+
+def test_a_stored_text_goes_along_in_english(open_clinic: Database) -> None:
+    with reader_language("de"), open_clinic.transaction() as db:
+        db.get_one(Trial, 1).discard_reason = Text("drive-title")
+        db.flush()
+        assert patient_rows(db, 1)["trial"][0]["discard_reason"] == "Where to?"
+        db.rollback()
 
 
 def without_author(rows: dict[str, Any]) -> None:

@@ -169,7 +169,7 @@ def test_what_stands_against_a_replacement_is_one_sentence_and_nothing_changes(
     refused(archives.second, "=P-1 is open here")
     with rows_in(settings) as clinic:
         clinic.db.query(PatientSession).filter_by(ended=None).one().ended = later
-    monkeypatch.setattr(room_for_files, "disk_room", lambda _: DiskRoom(1000, ""))
+    monkeypatch.setattr(room_for_files, "disk_room", lambda _: DiskRoom(1000, None))
     refused(archives.second, "There is no room for this archive")
     monkeypatch.undo()
     before = state_of(settings)

@@ -251,7 +251,7 @@ def test_a_recording_that_goes_on_is_left_out_and_said_and_a_broken_one_is_not(
         moment = datetime.now(UTC).timestamp() - age
         os.utime(folder / "segment-0000.arrows", (moment, moment))
     report = make_backup(settings, tmp_path / "a.backup", None, with_keys=False, progress=lambda *_: None)
-    assert report.message == "One recording was going on and left out: the next backup holds them."
+    assert str(report.message) == "One recording was going on and left out: the next backup holds it."
     paths = {file.path for file in read_backup(tmp_path / "a.backup", None).files}
     assert "runs/killed/segment-0000.arrows" in paths
     assert not any(path.startswith("runs/goes-on") for path in paths)

@@ -58,7 +58,7 @@ def test_a_patient_goes_to_another_clinic_by_two_commands(bodydrive, tmp_path):
 def test_an_archive_without_room_on_its_disk_is_refused_and_leaves_nothing(bodydrive, tmp_path, monkeypatch):
     settings = make_clinic(tmp_path / "clinic")
     looked = []
-    monkeypatch.setattr(room_for_files, "disk_room", lambda place: looked.append(place) or DiskRoom(10**6, ""))
+    monkeypatch.setattr(room_for_files, "disk_room", lambda place: looked.append(place) or DiskRoom(10**6, None))
     code, out, err = bodydrive("archive", "make", CODE, "--out", "stick/heron.zip", "--state", settings.state)
     assert (code, out) == (2, "")
     assert "must be free on the disk where it is made, and 1 MB are." in " ".join(err.split())

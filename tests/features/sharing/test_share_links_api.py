@@ -116,7 +116,7 @@ def test_a_link_that_was_cut_is_refused_as_a_wrong_one(consented: Clinic) -> Non
     link = made(consented)
     cut = {"token": token_of(link)[:9], "pin": link["pin"]}
     with consented.as_person({}):
-        assert consented.refused(401, "POST", "/shared/open", json=cut) == WRONG
+        assert consented.refused(401, "POST", "/shared/open", json=cut) == str(WRONG)
 
 
 def test_a_link_to_a_session_shows_this_session_only(consented: Clinic, trial: int) -> None:

@@ -112,7 +112,7 @@ def test_a_start_with_a_clock_31_days_ahead_erases_nothing_and_says_so(filled: A
     erase_due(filled.database, filled.settings)
     with filled.database.transaction() as db:
         shelf.purge(passed_now(db))
-        assert "30 days" in clock_warning(db) or "31 days" in clock_warning(db)
+        assert "30 days" in str(clock_warning(db)) or "31 days" in str(clock_warning(db))
         jumped = db.query(LogEntry).where(LogEntry.what == "clock jumped").one()
         assert jumped.details["seconds"] > 29 * DAY
         restore_patient(db, filled.goes)
@@ -142,4 +142,4 @@ def test_a_clock_that_is_set_back_is_logged(filled: Any, clocks: Any) -> None:  
     with filled.database.transaction() as db:
         store_clocks(db)
         assert db.query(LogEntry).where(LogEntry.what == "clock jumped").one().details["seconds"] < -DAY
-        assert clock_warning(db) == ""
+        assert clock_warning(db) is None
