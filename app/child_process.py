@@ -53,12 +53,17 @@ class JsonChild:
         self._process = process
 
     @classmethod
-    async def start(cls, module: str, *arguments: str) -> "JsonChild":
-        """Start a child; raise OSError when the system refuses another process."""
+    async def start(cls, module: str, *arguments: str, language: str | None = None) -> "JsonChild":
+        """Start a child; raise OSError when the system refuses another process.
+
+        With `language`, a child that is a command of `bodydrive` writes in that language.
+        """
         import asyncio  # noqa: PLC0415
 
         pipe = asyncio.subprocess.PIPE
-        return cls(await asyncio.create_subprocess_exec(*command(module, *arguments), stdin=pipe, stdout=pipe))
+        environment = None if language is None else os.environ | {"LC_ALL": language}
+        words = command(module, *arguments)
+        return cls(await asyncio.create_subprocess_exec(*words, stdin=pipe, stdout=pipe, env=environment))
 
     async def send(self, question: Mapping[str, object]) -> None:
         """Write a question; raise ConnectionError when the child has ended."""

@@ -19,6 +19,7 @@ from app.store.database import Database
 from building import make_ring
 from small_profile import small_profile
 
+os.environ["LC_ALL"] = "C.UTF-8"  # the command line writes English, whatever the language of the terminal is
 settings.register_profile("bodydrive", deadline=None, derandomize=os.environ.get("CI") == "true")
 settings.load_profile("bodydrive")
 share_statements()

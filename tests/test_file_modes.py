@@ -76,7 +76,7 @@ def test_what_cannot_be_tightened_is_said_in_a_sentence(state, monkeypatch):
 
     monkeypatch.setattr(Path, "chmod", refuse)
     (sentence,) = keep_private(Settings(state=state))
-    assert f"can read {len(OPEN_FILES) + 6} files" in sentence
+    assert f"can read {len(OPEN_FILES) + 6} files" in str(sentence)
     assert restrict([state / "nowhere"]) == []
 
 

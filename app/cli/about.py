@@ -12,22 +12,21 @@ import typer
 from app import __version__
 from app.cli.common_options import AsJson
 from app.cli.errors import InputError
+from app.texts import Text
 
 if TYPE_CHECKING:
     from packaging.requirements import Requirement
 
 NAME = "bodydrive"
 OPTIONAL = ("figures", "ros2")  # the extras of the program itself; the others are for development
-NO_LICENCE = "no licence stated"
-NOT_INSTALLED = "not installed"
+NO_LICENCE = Text("cli-about-no-licence")
+NOT_INSTALLED = Text("cli-about-missing")
 LONGEST_NAME = 200  # characters; a longer License field holds the text of the licence instead of its name
 CLASSIFIER = "License :: "
 NOTHING_STATED = {"", "UNKNOWN"}
 NOTICES = "app/THIRD_PARTY_NOTICES.txt"  # beside the installed modules; hatch_build.py writes it
 NOTICE = re.compile(r"^Name: (.+)\nVersion: (.+)\nLicence: (.+)\n", re.MULTILINE)
-HELD = "Its own files hold the work of others; the texts of the licences are in THIRD_PARTY_NOTICES.txt:"
-
-EQUAL = "the numbers are the same either way, bit for bit"
+HELD = Text("cli-about-held")
 
 
 class Package(NamedTuple):
@@ -55,12 +54,12 @@ def about(
         lists = {"packages": packages, "included": held} if licences else {}
         typer.echo(json.dumps(facts | {name: [one._asdict() for one in list_] for name, list_ in lists.items()}))
         return
-    built = "with its calculations compiled" if IS_COMPILED else "as plain Python"
-    typer.echo(f"bodydrive {__version__}, built {built} ({EQUAL})\n{python}, {platform.platform()}")
+    typer.echo(Text("cli-about-compiled" if IS_COMPILED else "cli-about-plain", version=__version__))
+    typer.echo(f"{python}, {platform.platform()}")
     if packages:
         typer.echo("\n".join(["", *_table(packages)]))
     if held:
-        typer.echo("\n".join(["", HELD, *_table(held)]))
+        typer.echo("\n".join(["", str(HELD), *_table(held)]))
 
 
 def packages_of(name: str) -> list[Package]:
@@ -73,7 +72,7 @@ def packages_of(name: str) -> list[Package]:
     from packaging.utils import canonicalize_name
 
     if _installed(name) is None:
-        raise InputError("bodydrive is not installed for this Python, so its packages are unknown: install its wheel.")
+        raise InputError(Text("cli-about-not-installed"))
     packages: dict[str, Package] = {}
     visited: set[tuple[str, str]] = set()  # packages and their extras
     waiting = [(Requirement(f"{name}[{','.join(OPTIONAL)}]"), False)]
@@ -142,6 +141,6 @@ def _installed(name: str) -> Distribution | None:
 
 
 def _table(packages: list[Package]) -> list[str]:
-    rows = [(package.name, package.version or NOT_INSTALLED, package.licence or NO_LICENCE) for package in packages]
+    rows = [(each.name, each.version or str(NOT_INSTALLED), each.licence or str(NO_LICENCE)) for each in packages]
     widths = [max(len(row[column]) for row in rows) for column in range(2)]
     return [f"{name:<{widths[0]}}  {version:<{widths[1]}}  {licence}" for name, version, licence in rows]

@@ -13,6 +13,7 @@ from app.hardware.chair import receive as receiver
 from app.hardware.chair.packet import PORT
 from app.refusals import Refusal
 from app.settings import Settings
+from app.texts import Text, text_of
 
 if TYPE_CHECKING:
     from app.hardware.chair.key import Key
@@ -73,10 +74,9 @@ def pair(
     try:
         key = _store_pairing(chair, settings)
     except Refusal as refusal:
-        raise InputError(str(refusal)) from refusal
+        raise InputError(text_of(refusal)) from refusal
     typer.echo(terminal_code(key.line))
-    for sentence in _instructions(chair, key, settings.keys):
-        typer.echo(sentence)
+    _print_instructions(chair, key, settings.keys)
 
 
 def _chair_config(fields: dict[str, object], keys: Path) -> "RealChairConfig":
@@ -89,7 +89,7 @@ def _chair_config(fields: dict[str, object], keys: Path) -> "RealChairConfig":
     try:
         return RealChairConfig.model_validate({"kind": "udp", "key_file": str(keys / "0.key"), **fields})
     except ValidationError as error:
-        raise InputError(one_sentence(error, "the chair")) from error
+        raise InputError(one_sentence(error, Text("cli-the-chair"))) from error
 
 
 def _store_pairing(chair: "RealChairConfig", settings: Settings) -> "Key":
@@ -103,7 +103,7 @@ def _store_pairing(chair: "RealChairConfig", settings: Settings) -> "Key":
     database, key = Database(settings.database), None
     try:
         with database.transaction() as db:
-            clinic = the_clinic(db) or add_clinic(db, "Clinic")
+            clinic = the_clinic(db) or add_clinic(db, str(Text("cli-clinic-name")))
             row, key = pair_chair(db, clinic, settings.keys, chair.name, chair.host, chair.port, chair.speeds)
             write_log(db, None, "chair paired", chair=row.id, key_id=key.id, host=chair.host, port=chair.port)
     except BaseException:
@@ -115,13 +115,13 @@ def _store_pairing(chair: "RealChairConfig", settings: Settings) -> "Key":
     return key
 
 
-def _instructions(chair: "RealChairConfig", key: "Key", keys: Path) -> list[str]:
+def _print_instructions(chair: "RealChairConfig", key: "Key", keys: Path) -> None:
     file = f"{key.id}.key"
     anywhere = "::" if ":" in chair.host else "0.0.0.0"  # noqa: S104  (the chair's board, not this machine)
     fastest = max(chair.speeds.forward, chair.speeds.reverse)
-    return [
-        f"{chair.name} at {chair.host}:{chair.port} is paired. Its key lies in {keys / file} and in the code above.",
-        f"On the chair, write what the code says into a file {file} that only its owner can read, and start there:",
+    typer.echo(Text("cli-chair-paired", name=chair.name, host=chair.host, port=chair.port, file=str(keys / file)))
+    typer.echo(Text("cli-chair-next", file=file))
+    typer.echo(
         f"bodydrive chair receive --key-file {file} --output ros2 --bind {anywhere} --port {chair.port} "
-        f"--v-max {fastest:g} --omega-max {chair.speeds.turn:g}",
-    ]
+        f"--v-max {fastest:g} --omega-max {chair.speeds.turn:g}"
+    )

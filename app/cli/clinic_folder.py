@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING
 from app.cli.errors import InputError
 from app.file_modes import OWNER_FOLDER, keep_new_files_private, restrict
 from app.settings import IN_USE, Settings
+from app.texts import Text, text_of
 
 if TYPE_CHECKING:
     from app.store.database import Database
@@ -16,7 +17,7 @@ if TYPE_CHECKING:
 ADDRESS_LIMIT = 300  # characters
 
 
-def keep_private(settings: Settings) -> list[str]:
+def keep_private(settings: Settings) -> list[Text]:
     """Let only their owner read what is written from now on, and what is in the clinic's folder already.
 
     Return a sentence when others can read something still.
@@ -25,16 +26,13 @@ def keep_private(settings: Settings) -> list[str]:
     readable = restrict(settings.state_paths)
     if not readable:
         return []
-    return [
-        f"Other people on this computer can read {len(readable)} files of the clinic, the first is {readable[0]}: "
-        f"give them to this account, or move the clinic to a disk that keeps rights."
-    ]
+    return [Text("cli-others-can-read", count=len(readable), file=str(readable[0]))]
 
 
 class FolderInUseError(InputError):
     """Another program serves the clinic; `address` is that of its pages, empty when it is not known."""
 
-    def __init__(self, sentence: str, address: str) -> None:
+    def __init__(self, sentence: Text, address: str) -> None:
         super().__init__(sentence)
         self.address = address
 
@@ -56,13 +54,13 @@ def lock_folder(folder: Path) -> Iterator[Callable[[str], None]]:
         folder.mkdir(mode=OWNER_FOLDER, parents=True, exist_ok=True)
         file = (folder / IN_USE).open("a+")
     except OSError as error:
-        raise InputError(f"{folder} cannot be written: choose another folder with --state.") from error
+        raise InputError(Text("cli-folder-unwritable", folder=str(folder))) from error
     with file:
         try:
             fcntl.flock(file, fcntl.LOCK_EX | fcntl.LOCK_NB)
         except OSError as error:
             file.seek(0)
-            sentence = f"The clinic in {folder} is open already: end the other program, or choose another with --state."
+            sentence = Text("cli-folder-in-use", folder=str(folder))
             raise FolderInUseError(sentence, file.read(ADDRESS_LIMIT)) from error
 
         def write_address(address: str) -> None:
@@ -85,7 +83,7 @@ def open_clinic(settings: Settings) -> Iterator[tuple["Database", str]]:
     from app.store.schema import NEWEST, revision_of
 
     if not settings.database.is_file():
-        raise InputError(f"There is no clinic in {settings.state}: give its folder with --state.")
+        raise InputError(Text("cli-no-clinic", folder=str(settings.state)))
     keep_new_files_private()
     with ExitStack() as stack:
         address = ""
@@ -94,13 +92,10 @@ def open_clinic(settings: Settings) -> Iterator[tuple["Database", str]]:
         except FolderInUseError as running:
             address = running.address
             if revision_of(settings.database) != NEWEST:
-                raise InputError(
-                    "The program that runs is another version than this command: give the command of that version, "
-                    "or end that program first."
-                ) from running
+                raise InputError(Text("cli-other-version")) from running
         try:
             database = Database(settings.database)
             stack.callback(database.close)
             yield database, address
         except Refusal as refusal:
-            raise InputError(str(refusal)) from refusal
+            raise InputError(text_of(refusal)) from refusal

@@ -10,6 +10,7 @@ import typer
 from app.cli.common_options import AsJson
 from app.cli.errors import InputError
 from app.cli.output import dialect_summary, print_dialect, warn, write_output
+from app.texts import Figure, Text, text_of
 
 if TYPE_CHECKING:
     import numpy as np
@@ -37,17 +38,18 @@ def decode(
     from app.source import source_description
 
     if out.suffix not in SUFFIXES:
-        raise InputError(f"--out {out}: its name must end in {' or '.join(SUFFIXES)}")
+        raise InputError(Text("cli-decode-suffix", file=str(out)))
     parameters = with_overrides(read_parameters(profile), dead_zone, cutoff)
     try:
         recorded, decoded = _decode_file(signals, parameters)
     except ValueError as error:
-        raise InputError(str(error)) from error
+        raise InputError(text_of(error)) from error
     t, source = recorded.t, _source_of(signals)
     write_output(out, _content_of(out, _columns(parameters, t, decoded), source), signals, profile)
+    seconds = float(t[-1] - t[0])
     summary = {
         "frames": len(t),
-        "seconds": float(t[-1] - t[0]),
+        "seconds": seconds,
         "sample_rate": recorded.sample_rate,
         "out": str(out),
         "source": {**source.model_dump(mode="json"), "description": source_description(source)},
@@ -55,9 +57,9 @@ def decode(
     if as_json:
         typer.echo(json.dumps(summary | dialect_summary(recorded)))
     else:
-        typer.echo(f"{summary['frames']} frames, {summary['seconds']:.1f} s, decoded into {out}")
+        typer.echo(Text("cli-decode-done", frames=len(t), seconds=Figure(seconds, 1), out=str(out)))
         print_dialect(recorded, signals)
-        typer.echo(f"Source: {source_description(source)}")
+        typer.echo(Text("cli-source", source=source_description(source)))
 
 
 def _decode_file(signals: Path, parameters: "DriveParameters") -> "tuple[Signals, DecodedRun]":
@@ -76,7 +78,7 @@ def _decode_file(signals: Path, parameters: "DriveParameters") -> "tuple[Signals
         try:
             decoded = decode_run(run, parameters)
         except ValueError as error:
-            raise InputError(f"{signals}: {error}") from error
+            raise InputError(Text("cli-named", name=str(signals), text=error)) from error
         recorded.t = run.frames()["t"]
         return recorded, decoded
     values = recorded.values.astype(np.float32, copy=False)
@@ -102,11 +104,10 @@ def read_parameters(file: Path) -> "DriveParameters":
     try:
         document = json.loads(file.read_bytes())
     except OSError as error:
-        raise InputError(
-            f"--profile {file} cannot be read ({error.strerror}): give the file that calibrate wrote"
-        ) from error
+        reason = error.strerror or error
+        raise InputError(Text("cli-profile-unreadable", file=str(file), reason=reason)) from error
     except (ValueError, RecursionError) as error:
-        raise InputError(f"--profile {file} is not a JSON document: give the file that calibrate wrote") from error
+        raise InputError(Text("cli-profile-no-json", file=str(file))) from error
     try:
         if isinstance(document, dict) and "gestures" in document:
             return DriveParameters.model_validate(document)
@@ -126,12 +127,12 @@ def with_overrides(parameters: "DriveParameters", dead_zone: float | None, cutof
     from app.quantities import HIGHEST_CUTOFF, LARGEST_THRESHOLD, LOWEST_CUTOFF
     from app.sentences import one_sentence
 
-    for option, unit, value, least, most in (
-        ("--dead-zone", "full movements per second", dead_zone, 0.0, LARGEST_THRESHOLD - 1.0),
-        ("--cutoff", "Hz", cutoff, LOWEST_CUTOFF, HIGHEST_CUTOFF),
+    for option, value, least, most in (
+        ("dead-zone", dead_zone, 0.0, LARGEST_THRESHOLD - 1.0),
+        ("cutoff", cutoff, LOWEST_CUTOFF, HIGHEST_CUTOFF),
     ):
         if value is not None and not least <= value <= most:
-            raise InputError(f"{option} {value:g}: give {unit} from {least:g} to {most:g}")
+            raise InputError(Text(f"cli-range-{option}", value=f"{value:g}", least=f"{least:g}", most=f"{most:g}"))
     document = parameters.model_dump(mode="json")
     if cutoff is not None:
         document["cutoff"] = cutoff
@@ -143,7 +144,7 @@ def with_overrides(parameters: "DriveParameters", dead_zone: float | None, cutof
     try:
         return DriveParameters.model_validate_json(json.dumps(document))
     except ValidationError as error:
-        raise InputError(one_sentence(error, "--dead-zone or --cutoff")) from error
+        raise InputError(one_sentence(error, Text("cli-dead-zone-or-cutoff"))) from error
 
 
 def _columns(

@@ -9,6 +9,7 @@ import typer
 from app.cli.common_options import AsJson
 from app.cli.errors import InputError
 from app.cli.output import write_output
+from app.texts import Figure, Text, text_of
 from app.world.imports.options import THRESHOLD
 
 floorplan_app = typer.Typer(
@@ -50,7 +51,7 @@ def import_file(
     from app.world.imports.plan_files import import_plan
 
     if out.suffix != ".json":
-        raise InputError(f"--out {out}: its name must end in .json")
+        raise InputError(Text("cli-plan-suffix", file=str(out)))
     fields = {
         "unit": unit,
         "layers": layer,
@@ -66,30 +67,28 @@ def import_file(
             json.dumps({key: value for key, value in fields.items() if value is not None})
         )
     except ValidationError as error:
-        raise InputError(one_sentence(error, "the options")) from error
+        raise InputError(one_sentence(error, Text("cli-the-options"))) from error
     try:
         draft = import_plan(file, options)
         if not draft.document["paths"]:
-            raise ValueError(f"{file}: a chair fits nowhere in it, draw a path on a layer PATH, or check the unit")
+            raise ValueError(Text("cli-plan-no-room", file=str(file)))
         plan = plan_of(draft, str(file))
     except ValueError as error:
-        raise InputError(str(error)) from error
+        raise InputError(text_of(error)) from error
     write_output(out, plan.model_dump_json(exclude_none=True).encode() + b"\n", file)
-    path = plan.paths[0]
+    walls, length = len(plan.segments()), plan.paths[0].line.length
     summary = {
         "name": plan.name,
         "title": plan.title,
-        "walls": len(plan.segments()),
-        "path_length": path.line.length,
+        "walls": walls,
+        "path_length": length,
         "out": str(out),
-        "messages": draft.messages,
+        "messages": [str(message) for message in draft.messages],
     }
     if as_json:
         typer.echo(json.dumps(summary))
     else:
-        typer.echo(
-            f"{plan.title}: {summary['walls']} wall pieces, a path of {path.line.length:.1f} m, written to {out}"
-        )
+        typer.echo(Text("cli-plan-made", title=plan.title, walls=walls, length=Figure(length, 1), out=str(out)))
         for sentence in draft.messages[1:]:
             typer.echo(sentence)
 
@@ -102,7 +101,7 @@ def list_plans(as_json: AsJson = False) -> None:
     try:
         plans = [offer.plan for offer in bundled_places().values()]
     except (ValueError, FileNotFoundError) as error:
-        raise InputError(str(error)) from error
+        raise InputError(text_of(error)) from error
     listed = [
         {
             "name": plan.name,
@@ -134,5 +133,7 @@ def check_plan(
     try:
         plans = list(places_in(file)) if is_scene(file) else [load_floorplan(file).name]
     except ValueError as error:
-        raise InputError(str(error)) from error
-    typer.echo(json.dumps({"floorplans": plans}) if as_json else f"{file}: fine ({', '.join(plans)})")
+        raise InputError(text_of(error)) from error
+    typer.echo(
+        json.dumps({"floorplans": plans}) if as_json else Text("cli-plan-fine", file=str(file), plans=", ".join(plans))
+    )

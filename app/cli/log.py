@@ -8,6 +8,7 @@ import typer
 
 from app.cli.common_options import AsJson, State, settings_of
 from app.cli.errors import InputError
+from app.texts import Text
 
 CHANGED = 1  # exit code
 
@@ -36,11 +37,11 @@ def verify(
 
     settings = settings_of(state)
     if not settings.database.is_file():
-        raise InputError(f"There is no clinic in {settings.state}: give its folder with --state.")
+        raise InputError(Text("cli-no-clinic", folder=str(settings.state)))
     try:
         check = verify_log(settings.database)
     except sqlite3.Error as error:
-        raise InputError(f"The log in {settings.database} cannot be read ({error}): give another --state.") from error
+        raise InputError(Text("cli-log-unreadable", file=str(settings.database), reason=error)) from error
     typer.echo(json.dumps(asdict(check), default=str) if as_json else check.message)
     if not check.whole:
         raise typer.Exit(CHANGED)

@@ -1,6 +1,8 @@
 """The command line: one command per task."""
 
+import os
 import sys
+from collections.abc import Mapping
 from importlib import import_module
 from typing import Annotated
 
@@ -9,6 +11,7 @@ import typer
 from app import __version__
 from app.cli.errors import InputError, refuse
 from app.features import names
+from app.texts import ENGLISH, LANGUAGES, Text, reader_language
 
 # Command: module and function, imported only when the command is used, so that `--help` starts quickly.
 _COMMANDS = {
@@ -79,6 +82,17 @@ def _options(
 
 def main() -> None:
     """Run the command line; bad input is one sentence on stderr and exit code 2."""
+    with reader_language(language_of(os.environ)):
+        _run()
+
+
+def language_of(environment: Mapping[str, str]) -> str:
+    """Return the language of a terminal; English where the catalogue does not offer it."""
+    locale = next(filter(None, map(environment.get, ("LC_ALL", "LC_MESSAGES", "LANG"))), "")
+    return locale[:2] if locale[:2] in LANGUAGES else ENGLISH
+
+
+def _run() -> None:
     arguments = [word for word in sys.argv[1:] if not word.startswith("-")]
     command_names = [arguments[0]] if arguments and arguments[0] in COMMANDS else list(COMMANDS)
     try:
@@ -89,12 +103,13 @@ def main() -> None:
         sentence = getattr(error, "format_message", error.__str__)()
         if not sentence:  # no command was given, and the help has been printed
             sys.exit(0)
-        refuse(
-            f"{sentence.rstrip('.')}: see {' '.join(['bodydrive', *command_names[: len(command_names) == 1]])} --help"
-        )
+        command = " ".join(["bodydrive", *command_names[: len(command_names) == 1]])
+        refuse(str(Text("cli-see-help", problem=sentence.rstrip("."), command=command)))
     except OSError as error:
         reason = error.strerror or error
-        refuse(f"{error.filename or 'the output'} cannot be read or written ({reason}): see to it and try again")
+        if error.filename:
+            refuse(str(Text("cli-file-failed", file=str(error.filename), reason=reason)))
+        refuse(str(Text("cli-output-failed", reason=reason)))
     except (typer.Abort, KeyboardInterrupt):
         sys.exit(130)
     sys.exit(code if isinstance(code, int) else 0)

@@ -8,6 +8,7 @@ import typer
 
 from app.cli.errors import InputError
 from app.files import write_atomically
+from app.texts import Text
 
 if TYPE_CHECKING:
     from app.signals.signals import Signals
@@ -18,14 +19,19 @@ def write_output(out: Path, content: bytes, *sources: Path) -> None:
     try:
         for source in sources:
             if out.exists() and source.exists() and out.samefile(source):
-                raise InputError(f"--out {out} is a file that was read for this: choose another place")
+                raise InputError(Text("cli-out-was-read", file=str(out)))
         write_atomically(out, content)
     except OSError as error:
-        raise InputError(f"--out {out} cannot be written ({error.strerror}): choose another place") from error
+        raise unwritable(out, error) from error
 
 
-def warn(sentence: str) -> None:
-    """Write a warning to stderr, unless it is empty."""
+def unwritable(out: Path, error: OSError) -> InputError:
+    """Return the error for a file or folder that cannot be written."""
+    return InputError(Text("cli-out-unwritable", file=str(out), reason=error.strerror or error))
+
+
+def warn(sentence: Text | str | None) -> None:
+    """Write a warning to stderr, unless there is none."""
     if sentence:
         typer.echo(f"bodydrive: {sentence}", err=True)
 
@@ -35,11 +41,11 @@ def check_new_folder(folder: Path) -> None:
     try:
         existing = next(place for place in (folder, *folder.absolute().parents) if place.exists())
     except OSError as error:
-        raise InputError(f"--out {folder} cannot be written ({error.strerror}): choose another place") from error
+        raise unwritable(folder, error) from error
     if not existing.is_dir():
-        raise InputError(f"--out {folder}: {existing} is a file and not a folder, choose another place")
+        raise InputError(Text("cli-out-no-folder", folder=str(folder), file=str(existing)))
     if not os.access(existing, os.W_OK | os.X_OK):
-        raise InputError(f"--out {folder}: nothing may be written in {existing}, choose another place")
+        raise InputError(Text("cli-out-forbidden", folder=str(folder), parent=str(existing)))
 
 
 def dialect_summary(recorded: "Signals") -> dict[str, dict[str, str]]:
@@ -50,4 +56,4 @@ def dialect_summary(recorded: "Signals") -> dict[str, dict[str, str]]:
 def print_dialect(recorded: "Signals", file: Path) -> None:
     """Write to stdout the dialect of a CSV file that does not use the usual signs."""
     if recorded.dialect is not None and recorded.dialect.sentence:
-        typer.echo(f"{file}: {recorded.dialect.sentence}")
+        typer.echo(Text("cli-named", name=str(file), text=recorded.dialect.sentence))

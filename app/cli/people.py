@@ -16,6 +16,7 @@ from app.cli.errors import InputError
 from app.cli.qr import terminal_code
 from app.network import link
 from app.refusals import Refusal
+from app.texts import Text, text_of
 
 if TYPE_CHECKING:
     from app.store.access.invitations import MadeInvitation
@@ -32,7 +33,6 @@ Address = Annotated[str, typer.Option(help="The address of the pages, for the li
 
 DEFAULT_PORT = 8080  # of `bodydrive serve`
 ROLES = ("owner", "clinician", "reviewer")
-NOT_RUNNING = "The program does not run now: start it with `bodydrive serve`, then open the link at its address."
 
 people_app = typer.Typer(
     help="See, invite, disable and enable the people of a clinic; make a link for a new password.",
@@ -72,10 +72,13 @@ def list_people(
         return
     width = max((len(str(person_facts["name"])) for person_facts in people), default=0)
     for person_facts in people:
-        patients = (
-            "" if person_facts["patients"] is None else f"  patients: {', '.join(person_facts['patients']) or 'none'}"
-        )
-        typer.echo(f"{person_facts['name']:<{width}}  {person_facts['role']:<9}  {person_facts['state']}{patients}")
+        cells = [f"{person_facts['name']:<{width}}", f"{person_facts['role']:<9}"]
+        cells.append(str(Text(f"cli-person-state-{person_facts['state']}")))
+        if person_facts["patients"]:
+            cells.append(str(Text("cli-person-patients", codes=", ".join(person_facts["patients"]))))
+        elif person_facts["patients"] is not None:
+            cells.append(str(Text("cli-person-no-patients")))
+        typer.echo("  ".join(cells))
 
 
 @people_app.command("invite")
@@ -91,20 +94,20 @@ def invite_person(
     from app.store.people import add_clinic, add_person, find_person, the_clinic
 
     if role not in ROLES:
-        raise InputError(f"--role {role} is no role: give owner, clinician or reviewer.")
+        raise InputError(Text("cli-no-role", role=role))
     _require_name(name)
     with open_clinic(settings_of(state)) as (database, running):
         try:
             with database.transaction() as db:
                 person = find_person(db, name)
                 if person is None:
-                    clinic = the_clinic(db) or add_clinic(db, "Clinic")
+                    clinic = the_clinic(db) or add_clinic(db, str(Text("cli-clinic-name")))
                     ids = None if patients is None else _patient_ids(db, patients)
                     ids = checked_patients(db, role, ids)
                     person = add_person(db, clinic, name, role, None, patients=ids, by=COMMAND_LINE)
                 invitation = invite(db, person, COMMAND_LINE)
         except Refusal as refusal:
-            raise InputError(str(refusal)) from refusal
+            raise InputError(text_of(refusal)) from refusal
     _print_link(name, invitation, address or running)
 
 
@@ -114,7 +117,7 @@ def disable_person(name: Name, state: State = None) -> None:
     from app.store.access.rights import disable
 
     _change(name, state, lambda db, person: disable(db, person, COMMAND_LINE))
-    typer.echo(f"{name} is disabled: pages that {name} has open end within 5 seconds.")
+    typer.echo(Text("cli-person-is-disabled", name=name))
 
 
 @people_app.command("enable")
@@ -123,7 +126,7 @@ def enable_person(name: Name, state: State = None) -> None:
     from app.store.access.rights import enable
 
     _change(name, state, lambda db, person: enable(db, person, COMMAND_LINE))
-    typer.echo(f"{name} can sign in again, with the password of before.")
+    typer.echo(Text("cli-person-is-enabled", name=name))
 
 
 def _state_of(person: "Person") -> str:
@@ -140,7 +143,7 @@ def _require_name(name: str) -> None:
     try:
         TypeAdapter(PersonName).validate_python(name)
     except ValidationError as error:
-        raise InputError("This name cannot be used: give 1 to 80 visible characters.") from error
+        raise InputError(Text("cli-name-unusable")) from error
 
 
 def _patient_ids(db: "Transaction", codes: list[str]) -> list[int]:
@@ -149,7 +152,7 @@ def _patient_ids(db: "Transaction", codes: list[str]) -> list[int]:
     by_code = {patient.code: patient.id for patient in all_patients(db)}
     unknown = next((code for code in codes if code not in by_code), None)
     if unknown is not None:
-        raise InputError(f"--patient {unknown}: there is no patient of this code, see the Patients page.")
+        raise InputError(Text("cli-no-patient-option", code=unknown))
     return [by_code[code] for code in codes]
 
 
@@ -162,16 +165,14 @@ def _change(name: str, state: Path | None, change: Callable[["Transaction", "Per
             with database.transaction(closing=True) as db:
                 change(db, needed_person(find_person(db, name), name))
         except Refusal as refusal:
-            raise InputError(str(refusal)) from refusal
+            raise InputError(text_of(refusal)) from refusal
 
 
 def _print_link(name: str, invitation: "MadeInvitation", address: str) -> None:
     base = address or link("http", "127.0.0.1", DEFAULT_PORT)
     address_to_open = f"{base.rstrip('/')}/#invite={invitation.code}"
     typer.echo(terminal_code(address_to_open))
-    typer.echo(
-        f"{name} chooses a password with this link, once, until {invitation.expires.astimezone():%Y-%m-%d %H:%M}:"
-    )
+    typer.echo(Text("cli-invitation", name=name, time=f"{invitation.expires.astimezone():%Y-%m-%d %H:%M}"))
     typer.echo(address_to_open)
     if not address:
-        typer.echo(NOT_RUNNING)
+        typer.echo(Text("cli-not-running"))

@@ -9,6 +9,7 @@ from urllib.parse import urlsplit
 from app.cli.errors import InputError
 from app.hardware.addresses import checked_host
 from app.settings import ProxyNetwork
+from app.texts import Text
 
 # A browser that does not answer for so long has gone: a tablet asleep, a cable pulled. Busy browsers need some time;
 # the live socket and the 3D view themselves disconnect, within 3 s, a browser that does not read.
@@ -19,7 +20,7 @@ LARGEST_NETWORK = 65_536  # addresses that may speak for a browser; whole networ
 
 def bind(host: str, port: int) -> socket.socket:
     """Bind the port before anything else is made; refuse a port in use with a sentence."""
-    no_address = f"'{host}' is no address of this machine: leave --host out, or give one of its own."
+    no_address = Text("cli-no-address", host=host)
     try:
         if not host.strip():  # would mean every address of this machine
             raise UnicodeError
@@ -27,12 +28,10 @@ def bind(host: str, port: int) -> socket.socket:
         listening = socket.create_server((host, port), family=family, backlog=128)
     except OSError as error:
         if error.errno == errno.EADDRINUSE:
-            raise InputError(
-                f"Port {port} of {host} is busy: end the program that uses it, or choose another port with --port "
-                f"(with make: PORT={port + 1 if port < 65_535 else 8080})."
-            ) from error
+            next_port = port + 1 if port < 65_535 else 8080
+            raise InputError(Text("cli-port-busy", port=port, host=host, next=next_port)) from error
         if error.errno == errno.EACCES:
-            raise InputError(f"Port {port} is for the system: choose one above 1023 with --port.") from error
+            raise InputError(Text("cli-port-of-system", port=port)) from error
         raise InputError(no_address) from error
     except UnicodeError as error:
         raise InputError(no_address) from error
@@ -49,11 +48,9 @@ def proxy_network(text: str) -> ProxyNetwork:
     try:
         network = ipaddress.ip_network(text, strict=False)
     except ValueError as error:
-        raise InputError(
-            f"--behind-proxy '{text}' is no address: write one such as 127.0.0.1, or 10.1.2.0/24."
-        ) from error
+        raise InputError(Text("cli-proxy-no-address", text=text)) from error
     if network.num_addresses > LARGEST_NETWORK:
-        raise InputError(f"--behind-proxy {text} has too many addresses to be believed: give that of the proxy.")
+        raise InputError(Text("cli-proxy-too-large", text=text))
     return network
 
 
@@ -63,11 +60,11 @@ def public_name(text: str) -> str:
         parts = urlsplit(f"//{text}")
         host, port = checked_host(parts.hostname or ""), parts.port
     except ValueError as error:
-        raise InputError(f"--name '{text}' is no name: write one such as clinic.example.org.") from error
+        raise InputError(Text("cli-no-public-name", text=text)) from error
     bracketed = f"[{host}]" if ":" in host else host
     name = bracketed if port is None else f"{bracketed}:{port}"
     if name != text.lower():  # a path, a person, or a scheme
-        raise InputError(f"--name '{text}' is no name: write one such as clinic.example.org.")
+        raise InputError(Text("cli-no-public-name", text=text))
     return name
 
 
@@ -77,10 +74,7 @@ def bind_here(host: str, port: int) -> socket.socket:
     if ipaddress.ip_address(listening.getsockname()[0]).is_loopback:
         return listening
     listening.close()
-    raise InputError(
-        f"Other machines reach {host}, and without https everybody on the way could read and change what they send: "
-        f"use 'bodydrive serve --lan', or leave --host out."
-    )
+    raise InputError(Text("cli-not-encrypted", host=host))
 
 
 def bind_free(hosts: Sequence[str], ports: Sequence[int]) -> list[socket.socket]:

@@ -14,6 +14,7 @@ from app.cli.errors import InputError
 from app.cli.output import warn
 from app.clock import Clock, MonotonicClock
 from app.hardware.shirt.sender import STANDARD_ADDRESS
+from app.texts import Figure, Text, text_of
 
 if TYPE_CHECKING:
     from app.hardware.shirt.playback import FrameFile
@@ -33,40 +34,44 @@ def replay(
     from app.hardware.shirt.playback import read_frames
 
     if not SLOWEST <= speed <= FASTEST:
-        raise InputError(f"--speed {speed:g}: give a number between {SLOWEST:g} and {FASTEST:g}")
+        raise InputError(Text("cli-replay-speed", speed=f"{speed:g}", least=f"{SLOWEST:g}", most=f"{FASTEST:g}"))
     family, address = parse_address(to)
     try:
         file = read_frames(recording)
     except HardwareError as error:
-        raise InputError(str(error)) from error
+        raise InputError(text_of(error)) from error
     warn(file.note)
     if not as_json:
-        typer.echo(
-            f"Sending {file.name} to {to}: {len(file.layout.channels)} channels at "
-            f"{file.sample_rate * speed:g} Hz, {file.t[-1] / speed:.1f} s"
-            f"{' again and again' if loop else ''}. Ctrl-C ends it."
+        begins = Text(
+            "cli-replay-loops" if loop else "cli-replay-begins",
+            name=file.name,
+            to=to,
+            channels=len(file.layout.channels),
+            rate=round(file.sample_rate * speed, 3),
+            seconds=Figure(file.t[-1] / speed, 1),
         )
+        typer.echo(begins)
     with socket.socket(family, socket.SOCK_DGRAM) as sender:
         sent, stopped, trouble = play(
             file, lambda packet: _send(sender, packet, address), MonotonicClock(), loop, speed
         )
     if trouble:
-        raise InputError(f"--to {to}: nothing can be sent there ({trouble}), give another address")
+        raise InputError(Text("cli-replay-failed", to=to, reason=trouble))
     if as_json:
         typer.echo(json.dumps({"frames": sent, "to": to, "stopped": stopped}))
     else:
-        typer.echo(f"{'Stopped' if stopped else 'The recording has ended'}: {sent} frames sent.")
+        typer.echo(Text("cli-replay-stopped" if stopped else "cli-replay-ended", frames=sent))
 
 
 def parse_address(text: str) -> tuple[socket.AddressFamily, tuple[str, int]]:
     """Return the family and the socket address of HOST:PORT, or raise InputError."""
     host, colon, port = text.rpartition(":")
     if not colon or not host or not port.isascii() or not port.isdecimal() or not 0 < int(port) <= 65_535:
-        raise InputError(f"--to {text}: write a host and a port, such as {STANDARD_ADDRESS}")
+        raise InputError(Text("cli-replay-address", to=text, example=STANDARD_ADDRESS))
     try:
         family, _, _, _, address = socket.getaddrinfo(host.strip("[]"), int(port), type=socket.SOCK_DGRAM)[0]
     except (OSError, UnicodeError) as error:
-        raise InputError(f"--to {text}: there is no host of this name, correct it") from error
+        raise InputError(Text("cli-replay-no-host", to=text)) from error
     return family, (str(address[0]), int(address[1]))
 
 

@@ -9,6 +9,7 @@ import typer
 from app.cli.common_options import AsJson
 from app.cli.errors import InputError
 from app.scoring.measures import CIRCUMSTANCES, REACHED, REACHED_NAME, TRIAL_MEASURES
+from app.texts import Text, text_of
 
 if TYPE_CHECKING:
     from app.scoring.path_measures import Measures
@@ -21,8 +22,6 @@ SLOWEST_ROWS = 2.0  # s, the usual time between two rows of a recording; more me
 RECORDING = 20  # rows; fewer may be written by hand, with any time between them
 FASTEST = 10.0  # m/s, mean speed; more means that x and y are not in metres, or t not in seconds
 FOLLOWING = ("dist_ratio", "e_diff", "cross_track_rms", "cross_track_max", "cross_track_mean")  # how well it followed
-
-CANCELLING = "Two loops around one place in opposite directions cancel in the area; the distance driven counts both."
 
 
 def score(
@@ -37,7 +36,7 @@ def score(
     loops around one place in opposite directions cancel in the area off the path; the distance driven counts both.
     """
     if not 0 < goal_radius <= LARGEST_RADIUS:
-        raise InputError(f"--goal-radius {goal_radius:g}: give metres above 0 and at most {LARGEST_RADIUS:g}")
+        raise InputError(Text("cli-score-radius", radius=f"{goal_radius:g}", most=f"{LARGEST_RADIUS:g}"))
     measures = score_files(trajectory, path, goal_radius)
     typer.echo(json.dumps(measures) if as_json else _table(measures))
 
@@ -59,20 +58,20 @@ def score_files(trajectory: Path, path: Path, goal_radius: float) -> "Measures":
         prescribed = read_columns(path, only=("x", "y"))
         points = np.column_stack([require_column(prescribed, path, name) for name in ("x", "y")])
     except ValueError as error:
-        raise InputError(str(error)) from error
+        raise InputError(text_of(error)) from error
     for file, places in ((trajectory, (x, y)), (path, points)):
         if np.abs(places).max() > FARTHEST:
-            raise InputError(f"{file}: x and y must be metres, at most {FARTHEST:g} from 0: correct them")
+            raise InputError(Text("cli-score-places", file=str(file), most=f"{FARTHEST:g}"))
     if np.ptp(t) > LONGEST:
-        raise InputError(f"{trajectory}: it lasts {np.ptp(t):g} s, more than a day: give t in seconds, of one trial")
+        raise InputError(Text("cli-score-too-long", file=str(trajectory), seconds=f"{np.ptp(t):g}"))
     try:
         Line(points.tolist())
     except ValueError as error:
-        raise InputError(f"{path}: {error}") from error
+        raise InputError(Text("cli-named", name=str(path), text=error)) from error
     try:
         measures = path_measures(t, x, y, points, goal_radius, **extras)
     except ValueError as error:
-        raise InputError(f"{trajectory}: {error}") from error
+        raise InputError(Text("cli-named", name=str(trajectory), text=error)) from error
     _check_units(trajectory, float(np.median(np.diff(t))) if len(t) >= RECORDING else 0.0, measures)
     line = Line(points.tolist())
     ahead = line.project(float(x[-1]), float(y[-1]))[0] > line.project(float(x[0]), float(y[0]))[0]
@@ -85,26 +84,26 @@ def score_files(trajectory: Path, path: Path, goal_radius: float) -> "Measures":
 def _check_units(trajectory: Path, rows: float, measures: "Measures") -> None:
     """Refuse units that cannot be those of a chair: `rows` is the usual time between two rows (s)."""
     if rows > SLOWEST_ROWS:
-        raise InputError(f"{trajectory}: its rows are usually {rows:g} s apart: give t in seconds, not in milliseconds")
+        raise InputError(Text("cli-score-rows", file=str(trajectory), seconds=f"{rows:g}"))
     speed = measures["mean_speed"]
     if speed is not None and speed > FASTEST:
-        raise InputError(f"{trajectory}: its mean speed is {speed:g} m/s: give x and y in metres, and t in seconds")
+        raise InputError(Text("cli-score-speed", file=str(trajectory), speed=f"{speed:g}"))
 
 
 def _table(measures: "Measures") -> str:
     measures_by_name = TRIAL_MEASURES | CIRCUMSTANCES
     lines = [
-        f"{REACHED_NAME:<44} {_written(value)}"
+        f"{REACHED_NAME!s:<44} {_written(value)}"
         if name == REACHED
-        else f"{measures_by_name[name].name:<44} {_written(value)} {measures_by_name[name].unit}".rstrip()
+        else f"{measures_by_name[name].name!s:<44} {_written(value)} {measures_by_name[name].unit}".rstrip()
         for name, value in measures.items()
     ]
-    return "\n".join([*lines, "", CANCELLING])
+    return "\n".join([*lines, "", str(Text("cli-score-loops"))])
 
 
 def _written(value: float | bool | None) -> str:
     if value is None:
         return "-"
     if isinstance(value, bool):
-        return "yes" if value else "no"
+        return str(Text("cli-yes" if value else "cli-no"))
     return str(value) if isinstance(value, int) else f"{value:.3f}"

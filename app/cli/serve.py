@@ -21,6 +21,7 @@ from app.python_release import python_warning
 from app.realtime import collect_seldom
 from app.refusals import Refusal
 from app.settings import Settings, data_folder, new_code
+from app.texts import Text, text_of
 
 if TYPE_CHECKING:
     from app.cli.host.lan import Lan
@@ -53,8 +54,8 @@ Proxy = Annotated[
     ),
 ]
 Name = Annotated[str | None, typer.Option(help="The name, or NAME:PORT, by which browsers reach the proxy.")]
-PATIENT = ("DEMO-1", "Kingfisher", "A demonstration patient: nobody real. Calibrated in the simulated shirt.")
-NEWCOMER = ("DEMO-2", "Heron", "A demonstration patient: nobody real. Never calibrated: drives by what others taught.")
+PATIENT = ("DEMO-1", "Kingfisher")
+NEWCOMER = ("DEMO-2", "Heron")
 
 
 def demo(port: Port = 8080, host: Host = "127.0.0.1", floorplans: Plans = None) -> None:
@@ -69,11 +70,8 @@ def demo(port: Port = 8080, host: Host = "127.0.0.1", floorplans: Plans = None) 
         keep_private(settings)
         launch = stack.enter_context(closing(_launch()))
         _furnish_demonstration(settings, plans)
-        sentences = [
-            "A demonstration, kept nowhere. Ctrl-C ends it.",
-            f"{link('http', host, bound)}#demo={settings.demo_code}",
-        ]
-        _run(settings, launch, listening, sentences)
+        address = f"{link('http', host, bound)}#demo={settings.demo_code}"
+        _run(settings, launch, listening, [Text("cli-demo-opened"), address])
     _leave()
 
 
@@ -92,15 +90,15 @@ def serve(
 
     collect_seldom()
     if (behind_proxy is None) != (name is None):
-        raise InputError("--behind-proxy and --name belong together: give the proxy's address, and its name.")
+        raise InputError(Text("cli-proxy-needs-name"))
     if behind_proxy is not None and lan:
-        raise InputError("A proxy is the only way in: use either --lan or --behind-proxy.")
+        raise InputError(Text("cli-proxy-or-lan"))
     proxy = None if behind_proxy is None else proxy_network(behind_proxy)
     reached_by = "" if name is None else public_name(name)
     folder = folder_of(state)
     own_certificate, hosts = own_files(certificate, key, lan=lan), host or []
     if len(hosts) > 1 and not lan:
-        raise InputError("Without --lan there is one address only: name --host once, or leave it out.")
+        raise InputError(Text("cli-one-host"))
     first = hosts[0] if hosts and not lan else "127.0.0.1"
     with ExitStack() as stack:
         if lan:
@@ -126,16 +124,13 @@ def serve(
         )
         opened = f"https://{reached_by}/" if reached_by else local_address
         write_address(opened if other_machines is None else other_machines.service.link())
-        sentences = [f"The clinic in {folder}. Ctrl-C ends it.", *warnings]
+        lines: list[Text | str] = [Text("cli-serve-opened", folder=str(folder)), *warnings]
         if settings.setup_code is None:
-            sentences.append(opened)
+            lines.append(opened)
         else:
-            sentences += [
-                f"Set-up code, for the first owner, within 30 minutes: {settings.setup_code}",
-                f"{opened}#setup={settings.setup_code}",
-            ]
-        sentences += [] if other_machines is None else other_machines.refresh()
-        _run(settings, launch, listening, sentences, other_machines)
+            lines += [Text("cli-setup-code", code=settings.setup_code), f"{opened}#setup={settings.setup_code}"]
+        lines += [] if other_machines is None else other_machines.refresh()
+        _run(settings, launch, listening, lines, other_machines)
     _leave()
 
 
@@ -146,24 +141,21 @@ def _launch() -> "Launch":
     try:
         return launch()
     except OSError as error:
-        raise InputError(
-            f"The control process cannot be started ({error.strerror}): close other programs, then try again."
-        ) from error
+        raise InputError(Text("cli-control-process-failed", reason=error.strerror or error)) from error
 
 
 def _run(
     settings: Settings,
     launch: "Launch",
     listening: socket.socket,
-    sentences: list[str],
+    lines: list[Text | str],
     other_machines: "Lan | None" = None,
 ) -> None:
     from app.cli.server import run_clinic
 
     warning = python_warning(sys.version_info[:3])
-    run_clinic(
-        settings, launch, listening, "\n".join([*sentences, *([str(warning)] if warning else [])]), other_machines
-    )
+    message = "\n".join(map(str, filter(None, [*lines, warning])))
+    run_clinic(settings, launch, listening, message, other_machines)
 
 
 def _leave() -> None:
@@ -179,7 +171,7 @@ def _floorplan(file: Path) -> "FloorPlan":
     try:
         return load_floorplan(file)
     except ValueError as error:
-        raise InputError(str(error)) from error
+        raise InputError(text_of(error)) from error
 
 
 def _furnish_demonstration(settings: Settings, plans: "list[FloorPlan]") -> None:
@@ -208,9 +200,9 @@ def furnish(database: "Database") -> None:
     shipped = CalibrationProfile.model_validate_json(profile_file().read_bytes())
     profile = shipped.model_copy(update={"created": utc_now().isoformat(timespec="seconds")})
     with database.transaction() as db:
-        add_clinic(db, "Demonstration")
-        patient = add_patient(db, *PATIENT)
-        add_patient(db, *NEWCOMER)
+        add_clinic(db, str(Text("cli-demo-clinic")))
+        patient = add_patient(db, *PATIENT, str(Text("cli-demo-calibrated")))
+        add_patient(db, *NEWCOMER, str(Text("cli-demo-newcomer")))
         session = start_session(db, patient.id)
         row = save_profile(db, patient.id, session.id, profile, simulated=True)
         save_parameters(db, row, standard_parameters(profile))
@@ -228,7 +220,7 @@ def _nobody_yet(folder: Path) -> bool:
     try:
         database = Database(Settings(state=folder).database)
     except Refusal as refusal:
-        raise InputError(str(refusal)) from refusal
+        raise InputError(text_of(refusal)) from refusal
     try:
         with database.reading() as db:
             return count_people(db) == 0

@@ -38,6 +38,7 @@ from app.process.supervisor import ControlProcess, Launch
 from app.realtime import collect_garbage, share_memory_areas
 from app.refusals import Refusal
 from app.settings import Settings
+from app.texts import Text, text_of
 
 PING_EVERY = 2.0  # s
 LAST_ANSWERS = 1  # s for requests under way when the program ends
@@ -137,12 +138,12 @@ class WebServer(uvicorn.Server):
         while True:
             await asyncio.sleep(FOLLOW_EVERY)
             try:
-                sentences = await asyncio.to_thread(lan.refresh)
+                lines = await asyncio.to_thread(lan.refresh)
             except Exception:  # the next refresh may succeed, and without one the certificate would end unnoticed
                 logging.getLogger("bodydrive").exception("The machine's addresses could not be read.")
                 continue
-            if sentences:
-                typer.echo("\n".join(sentences))
+            if lines:
+                typer.echo("\n".join(map(str, lines)))
 
     async def _leave(self) -> None:
         try:
@@ -214,15 +215,10 @@ def _starts(launch: Launch) -> StartProcess:
     return start
 
 
-def why_not_started(failure: Exception | None) -> str:
+def why_not_started(failure: Exception | None) -> Text | str:
     """Return in a sentence why there is nothing to show."""
     if isinstance(failure, Refusal):
-        return str(failure)
+        return text_of(failure)
     if failure is None or isinstance(failure, LinkLost):  # the control process has written its own message
-        return (
-            "The control process did not start, so there is nothing to show: look at the messages above and try again."
-        )
-    return (
-        f"The program did not start, because of {type(failure).__name__}: {failure}. "
-        "Correct this if you can, then start it again; otherwise report this line."
-    )
+        return Text("cli-control-process-ended")
+    return Text("cli-not-started", kind=type(failure).__name__, problem=failure)

@@ -12,6 +12,7 @@ from app.file_modes import keep_new_files_private
 from app.hardware.shirt import sender
 from app.refusals import Refusal
 from app.settings import Settings
+from app.texts import Text, text_of
 
 if TYPE_CHECKING:
     from app.hardware.chair.key import Key
@@ -42,10 +43,9 @@ def pair(
     try:
         key = _paired(settings)
     except Refusal as refusal:
-        raise InputError(str(refusal)) from refusal
+        raise InputError(text_of(refusal)) from refusal
     typer.echo(terminal_code(key.line))
-    for sentence in _instructions(key, settings.keys):
-        typer.echo(sentence)
+    _print_instructions(key, settings.keys)
 
 
 def _paired(settings: Settings) -> "Key":
@@ -60,7 +60,7 @@ def _paired(settings: Settings) -> "Key":
     try:
         with database.transaction() as db:
             if the_clinic(db) is None:
-                add_clinic(db, "Clinic")
+                add_clinic(db, str(Text("cli-clinic-name")))
             key = pair_shirt(settings.keys)
             write_log(db, None, "shirt paired", key_id=key.id)
     except BaseException:
@@ -72,11 +72,8 @@ def _paired(settings: Settings) -> "Key":
     return key
 
 
-def _instructions(key: "Key", keys: Path) -> list[str]:
+def _print_instructions(key: "Key", keys: Path) -> None:
     file = f"shirt-{key.id}.key"
-    return [
-        f"The shirt is paired. Its key lies in {keys / file} and in the code above; choose {file} on the Shirt page.",
-        f"The shirt's firmware needs what the code says. To try it, write that into a file {file} that only its owner",
-        "can read, on any machine, and start there:",
-        f"bodydrive shirt send --key-file {file} --to HOST:{sender.STANDARD_ADDRESS.rpartition(':')[2]}",
-    ]
+    typer.echo(Text("cli-shirt-paired", path=str(keys / file), file=file))
+    typer.echo(Text("cli-shirt-next", file=file))
+    typer.echo(f"bodydrive shirt send --key-file {file} --to HOST:{sender.STANDARD_ADDRESS.rpartition(':')[2]}")

@@ -5,11 +5,9 @@ import ssl
 import uuid
 from hashlib import sha256
 
+from app.texts import Text
+
 IDENTIFIER = "bodydrive.authority"
-EXPLANATION = (
-    "Lets this device trust the machine of your clinic that runs bodydrive, and nothing else: "
-    "the certificate is limited to this machine and to private networks."
-)
 
 
 def apple_profile(root: bytes, machine: str) -> bytes:
@@ -22,14 +20,14 @@ def apple_profile(root: bytes, machine: str) -> bytes:
     """
     digest = sha256(root).digest()
     identifier = f"{IDENTIFIER}.{digest[:8].hex()}"
-    title = f"bodydrive on {machine}"
+    title, explanation = str(Text("host-profile-title", machine=machine)), str(Text("host-profile-explanation"))
     certificate = {
         "PayloadType": "com.apple.security.root",
         "PayloadVersion": 1,
         "PayloadIdentifier": f"{identifier}.root",
         "PayloadUUID": _uuid(digest[:16]),
         "PayloadDisplayName": title,
-        "PayloadDescription": EXPLANATION,
+        "PayloadDescription": explanation,
         "PayloadCertificateFileName": "bodydrive.cer",
         "PayloadContent": root,
     }
@@ -39,7 +37,7 @@ def apple_profile(root: bytes, machine: str) -> bytes:
         "PayloadIdentifier": identifier,
         "PayloadUUID": _uuid(digest[16:]),
         "PayloadDisplayName": title,
-        "PayloadDescription": EXPLANATION,
+        "PayloadDescription": explanation,
         "PayloadOrganization": "bodydrive",
         "PayloadRemovalDisallowed": False,
         "PayloadContent": [certificate],

@@ -29,33 +29,13 @@ from app.host.authority import (
 from app.host.machine import Machine, this_machine
 from app.network import CertificateTrust
 from app.refusals import Refusal
+from app.texts import Text, text_of
 
 KEY = b"-----BEGIN PRIVATE KEY-----"
 SOON = dt.timedelta(days=14)
 
-MADE = "A certificate authority was made for this clinic: each tablet installs it once, as the page below explains."
-REPLACED = (
-    "The clinic's certificate authority was replaced: each tablet needs the new one, as the page below explains, "
-    "and the old one can be removed there."
-)
-DAMAGED = (
-    "The clinic's certificate authority in {file} is damaged: put this file back from a backup, or delete it, "
-    "and install the new authority on each tablet."
-)
-ENDED = (
-    "The clinic's certificate authority in {file} ended on {day}: delete this file, start again, and install the new "
-    "authority on each tablet (if today is not {today}, set this machine's clock instead)."
-)
-ENDS_SOON = "The clinic's certificate authority ends on {day}: before that, delete {file} and set up each tablet again."
-EARLY_CLOCK = (
-    "This machine's clock shows {today}, but the clinic's certificate authority was made later, on {day}: "
-    "set the clock, then start again."
-)
-OUTSIDE = (
-    "The clinic's authority may not vouch for {names}, which this machine did not have when the authority was made: "
-    "open the pages by another address, or delete {file} and set up each tablet again."
-)
-NOT_RENEWED = "The machine's certificate could not be renewed ({why}): make room on the disk; it ends on {day}."
+MADE = Text("host-authority-made")
+REPLACED = Text("host-authority-replaced")
 
 
 class ServerCertificate(Protocol):
@@ -64,7 +44,7 @@ class ServerCertificate(Protocol):
     context: ssl.SSLContext
     trust: CertificateTrust
 
-    def refresh(self) -> list[str]:
+    def refresh(self) -> list[Text | str]:
         """Renew the certificate or reload it when that is due; return sentences for the operator."""
         ...
 
@@ -86,7 +66,7 @@ class LocalCertificate:
     ) -> None:
         self._folder, self._machine, self._now = folder, machine, now
         self.context = _new_context()
-        self._words: list[str] = []
+        self._words: list[Text | str] = []
         self._root_file = folder / "root.pem"
         if not self._root_file.exists():
             _store(self._root_file, make_root(machine(), now()))
@@ -102,7 +82,7 @@ class LocalCertificate:
         self.context.load_cert_chain(self._folder / "machine.pem")
         self.trust = self._trust(machine())
 
-    def refresh(self) -> list[str]:
+    def refresh(self) -> list[Text | str]:
         """Follow the machine's addresses, renew what is due, and return the sentences that hold at present."""
         messages, self._words = self._words, []
         machine = self._machine()
@@ -116,31 +96,34 @@ class LocalCertificate:
                 self._leaf = leaf
         except OSError as error:
             end = self._leaf.certificate.not_valid_after_utc
-            messages.append(NOT_RENEWED.format(why=error.strerror or error, day=f"{end:%Y-%m-%d}"))
+            why = error.strerror or error
+            messages.append(Text("host-certificate-not-renewed", why=why, day=f"{end:%Y-%m-%d}"))
         self.trust = self._trust(machine)
         present = [*self.trust.names, *self.trust.addresses]
         outside = [each for each in (*machine.names, *map(str, machine.addresses)) if each not in present]
         if outside:
-            messages.append(OUTSIDE.format(names=", ".join(outside), file=self._root_file))
+            messages.append(Text("host-authority-outside", names=", ".join(outside), file=str(self._root_file)))
         end = self._root.certificate.not_valid_after_utc
         if end - self._now() < 2 * LEAF_LIFE:
-            messages.append(ENDS_SOON.format(day=f"{end:%Y-%m-%d}", file=self._root_file))
+            messages.append(Text("host-authority-ends-soon", day=f"{end:%Y-%m-%d}", file=str(self._root_file)))
         return messages
 
-    def _unusable(self) -> str:
-        """Return in a sentence why the root is not valid now, empty when it is."""
+    def _unusable(self) -> Text | None:
+        """Return in a sentence why the root is not valid now, None when it is."""
         root, now = self._root.certificate, self._now()
         start, end, today = root.not_valid_before_utc, root.not_valid_after_utc, f"{now:%Y-%m-%d}"
         if now < start:
-            return EARLY_CLOCK.format(today=today, day=f"{start:%Y-%m-%d}")
-        return ENDED.format(file=self._root_file, day=f"{end:%Y-%m-%d}", today=today) if now > end else ""
+            return Text("host-authority-early-clock", today=today, day=f"{start:%Y-%m-%d}")
+        if now > end:
+            return Text("host-authority-ended", file=str(self._root_file), day=f"{end:%Y-%m-%d}", today=today)
+        return None
 
     def _read_root(self) -> Identity:
         try:
             root = _read(self._root_file)
             root.certificate.extensions.get_extension_for_class(x509.NameConstraints)
         except (ValueError, TypeError, x509.ExtensionNotFound) as error:
-            raise Refusal(DAMAGED.format(file=self._root_file)) from error
+            raise Refusal(Text("host-authority-damaged", file=str(self._root_file))) from error
         return root
 
     def _follow(self, machine: Machine) -> Identity:
@@ -183,16 +166,17 @@ class OwnCertificate:
         self.context = _new_context()
         self._content, self.trust = self._load()
 
-    def refresh(self) -> list[str]:
+    def refresh(self) -> list[Text | str]:
         """Reload the files if they changed; return a sentence on each problem with them."""
         try:
             if self._contents() != self._content:
                 self._content, self.trust = self._load()
             self._check_time(self.trust)
         except Refusal as refusal:
-            return [str(refusal)]
+            return [text_of(refusal)]
         if self.trust.end - self._now() < SOON:
-            return [f"The certificate {self._files[0]} ends on {self.trust.end:%Y-%m-%d}: replace it by a new one."]
+            day = f"{self.trust.end:%Y-%m-%d}"
+            return [Text("host-certificate-ends-soon", file=str(self._files[0]), day=day)]
         return []
 
     def _contents(self) -> list[bytes]:
@@ -200,7 +184,7 @@ class OwnCertificate:
             return [file.read_bytes() for file in self._files]
         except OSError as error:
             why = error.strerror or error
-            raise Refusal(f"{error.filename} cannot be read ({why}): name the files of your certificate.") from error
+            raise Refusal(Text("host-certificate-unreadable", file=str(error.filename), why=why)) from error
 
     def _load(self) -> tuple[list[bytes], CertificateTrust]:
         content = self._contents()
@@ -210,27 +194,19 @@ class OwnCertificate:
             # A context that could not load a certificate keeps half of it, so a new one tries first.
             _new_context().load_cert_chain(certificate, key, password=lambda: b"")
         except (ValueError, OSError) as error:
-            raise Refusal(
-                f"{certificate} and {key} are no certificate and its key: both must be PEM files, the key without a "
-                f"passphrase, and belong together."
-            ) from error
+            raise Refusal(Text("host-certificate-no-pair", certificate=str(certificate), key=str(key))) from error
         trust = _trust_of(read, None, [str(address) for address in this_machine().addresses])
         self._check_time(trust)
         self.context.load_cert_chain(certificate, key)
         return content, trust
 
     def _check_time(self, trust: CertificateTrust) -> None:
-        now, file = self._now(), self._files[0]
+        now, file = self._now(), str(self._files[0])
+        today = f"{now:%Y-%m-%d}"
         if now > trust.end:
-            raise Refusal(
-                f"The certificate {file} ended on {trust.end:%Y-%m-%d}, and this machine's clock shows "
-                f"{now:%Y-%m-%d}: replace the file by a new certificate, or set the clock."
-            )
+            raise Refusal(Text("host-certificate-ended", file=file, day=f"{trust.end:%Y-%m-%d}", today=today))
         if now < trust.start:
-            raise Refusal(
-                f"The certificate {file} begins on {trust.start:%Y-%m-%d}, and this machine's clock shows "
-                f"{now:%Y-%m-%d}: set the clock."
-            )
+            raise Refusal(Text("host-certificate-early-clock", file=file, day=f"{trust.start:%Y-%m-%d}", today=today))
 
 
 def _new_context() -> ssl.SSLContext:

@@ -14,7 +14,7 @@ from typing import Literal
 from app.clock import Clock
 from app.disk_room import LITTLE_ROOM, ROOM_TO_RECORD
 from app.settings import PACKAGE
-from app.texts import Text
+from app.texts import Figure, Text
 
 PERIOD = 0.01  # s: the loop's, when the shirt sends at 100 Hz
 FEW = 0.001  # share of late ticks that a drive does not feel
@@ -29,7 +29,7 @@ class Finding:
     """What one measurement found."""
 
     verdict: Verdict
-    message: str
+    message: Text
 
 
 def measure_lateness(clock: Clock, seconds: float) -> list[float]:
@@ -48,28 +48,27 @@ def lateness_finding(lateness: Sequence[float]) -> Finding:
     ranked = sorted(lateness)
     late = sum(each > PERIOD for each in ranked)
     p99 = ranked[ceil(0.99 * len(ranked)) - 1]
-    message = (
-        f"Of {len(ranked)} ticks of the control loop, {late} came more than {1000 * PERIOD:.0f} ms late; "
-        f"99 of 100 came within {1000 * p99:.1f} ms, the latest after {1000 * ranked[-1]:.1f} ms."
+    verdict: Verdict = "good" if late == 0 else "attention" if late <= FEW * len(ranked) else "bad"
+    message = Text(
+        f"host-lateness-{verdict}",
+        ticks=len(ranked),
+        late=late,
+        limit=Figure(1000 * PERIOD),
+        most=Figure(1000 * p99, 1),
+        latest=Figure(1000 * ranked[-1], 1),
     )
-    if late == 0:
-        return Finding("good", message)
-    if late <= FEW * len(ranked):
-        return Finding("attention", f"{message} Close other programs while driving.")
-    return Finding("bad", f"{message} This machine is too busy or too slow to drive a chair.")
+    return Finding(verdict, message)
 
 
 def real_time_findings(texts: Sequence[Text]) -> list[Finding]:
     """Return the findings of what `app.realtime.go_real_time` was granted, one for each of its texts."""
-    return [Finding("attention" if text.id.endswith("-refused") else "good", str(text)) for text in texts]
+    return [Finding("attention" if text.id.endswith("-refused") else "good", text) for text in texts]
 
 
 def disk_finding(free: int) -> Finding:
     """Return whether there is room for recordings; `free` in bytes."""
-    message = f"{free / 1e9:.1f} GB of the disk are free."
-    if free < ROOM_TO_RECORD:
-        return Finding("bad", f"{message} Nothing can be recorded: make room.")
-    return Finding("attention", f"{message} Make room soon.") if free < LITTLE_ROOM else Finding("good", message)
+    verdict: Verdict = "bad" if free < ROOM_TO_RECORD else "attention" if free < LITTLE_ROOM else "good"
+    return Finding(verdict, Text(f"host-disk-{verdict}", free=Figure(free / 1e9, 1)))
 
 
 def free_room(folder: Path) -> int:
@@ -83,14 +82,14 @@ def clock_finding(now: datetime, installed: datetime, *, is_kept: bool | None) -
 
     `installed` is when the program was; `is_kept`: whether a time server keeps the clock, None when unknown.
     """
-    message = f"The clock shows {now:%Y-%m-%d %H:%M} UTC"
+    time = f"{now:%Y-%m-%d %H:%M}"
     if now < installed:
-        return Finding("bad", f"{message}, but the program was installed later: set the clock.")
+        return Finding("bad", Text("host-clock-early", time=time))
     if is_kept is None:
-        return Finding("good", f"{message}.")
+        return Finding("good", Text("host-clock", time=time))
     if is_kept:
-        return Finding("good", f"{message}, and a time server keeps it right.")
-    return Finding("attention", f"{message}, and no time server keeps it right: compare it with a clock now and then.")
+        return Finding("good", Text("host-clock-kept", time=time))
+    return Finding("attention", Text("host-clock-not-kept", time=time))
 
 
 def clock_is_kept() -> bool | None:
@@ -111,21 +110,21 @@ def clock_is_kept() -> bool | None:
 def port_finding(port: int, *, is_own: bool) -> Finding:
     """Return whether a clinic on this machine can listen on a port; `is_own`: the clinic that asks does so now."""
     if is_own:
-        return Finding("good", f"Port {port} is the one of this clinic.")
+        return Finding("good", Text("host-port-own", port=port))
     try:
         socket.create_server(("127.0.0.1", port)).close()
     except OSError as error:
         if error.errno == errno.EACCES:
-            return Finding("attention", f"Port {port} is for the system: this account may not use it.")
-        return Finding("attention", f"Port {port} is in use, perhaps by the clinic itself.")
-    return Finding("good", f"Port {port} is free.")
+            return Finding("attention", Text("host-port-of-system", port=port))
+        return Finding("attention", Text("host-port-in-use", port=port))
+    return Finding("good", Text("host-port-free", port=port))
 
 
 def program_finding(*, is_compiled: bool) -> Finding:
     """Return whether the control loop's calculations run compiled."""
     if is_compiled:
-        return Finding("good", "The control loop's calculations run compiled.")
-    return Finding("attention", "The control loop's calculations run as plain Python: the same results, but slower.")
+        return Finding("good", Text("host-compiled"))
+    return Finding("attention", Text("host-not-compiled"))
 
 
 def screen_finding(name: str, rate: float | None) -> Finding:
@@ -134,12 +133,11 @@ def screen_finding(name: str, rate: float | None) -> Finding:
     `name` says whose screen it is; `rate` in pictures a second, None when the screen did not answer.
     """
     if rate is None:
-        return Finding("attention", f"{name} did not answer: it is out of view, locked or asleep.")
-    message = f"{name} draws {rate:.0f} pictures a second."
+        return Finding("attention", Text("host-screen-silent", name=name))
     if rate >= FLUENT:
-        return Finding("good", message)
-    advice = "Close other programs there, or choose the drawn plan."
-    return Finding("attention" if rate >= TOO_FEW else "bad", f"{message} {advice}")
+        return Finding("good", Text("host-screen-good", name=name, rate=Figure(rate)))
+    message = Text("host-screen-slow", name=name, rate=Figure(rate))
+    return Finding("attention" if rate >= TOO_FEW else "bad", message)
 
 
 def install_time() -> float:
@@ -150,8 +148,5 @@ def install_time() -> float:
 def summary(findings: Sequence[Finding]) -> Finding:
     """Return whether the machine is good enough, by its worst finding."""
     verdicts = {finding.verdict for finding in findings}
-    if "bad" in verdicts:
-        return Finding("bad", "This computer is not good enough for driving as it is.")
-    if "attention" in verdicts:
-        return Finding("attention", "This computer is good enough for driving, and something could be better.")
-    return Finding("good", "This computer is good enough for driving.")
+    worst: Verdict = "bad" if "bad" in verdicts else "attention" if "attention" in verdicts else "good"
+    return Finding(worst, Text(f"host-summary-{worst}"))

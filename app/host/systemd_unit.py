@@ -10,6 +10,7 @@ from pathlib import Path
 
 from app.files import write_atomically
 from app.refusals import Refusal
+from app.texts import Text
 
 NAME = "bodydrive.service"
 SYSTEM_FOLDER = Path("/etc/systemd/system")
@@ -57,7 +58,7 @@ def unit(command: list[str], state: Path, account: str | None) -> str:
     )
 
 
-def install(text: str, *, system: bool) -> list[str]:
+def install(text: str, *, system: bool) -> list[Text]:
     """Write the unit, enable and start it; return what was done, and what remains to be done by a person.
 
     Raises
@@ -67,23 +68,24 @@ def install(text: str, *, system: bool) -> list[str]:
     """
     systemctl = shutil.which("systemctl")
     if systemctl is None:
-        raise Refusal("This machine has no systemd: let it start the command of --print by its own means.")
+        raise Refusal(Text("host-service-no-systemd"))
     file = (SYSTEM_FOLDER if system else user_folder()) / NAME
     try:
         write_atomically(file, text.encode(), 0o644)
     except OSError as error:
-        why = error.strerror or error
-        raise Refusal(f"{file} cannot be written ({why}): with --system, run this with sudo.") from error
+        raise Refusal(Text("host-service-unwritable", file=str(file), why=error.strerror or error)) from error
     systemctl_command = [systemctl] if system else [systemctl, "--user"]
     for command in (["daemon-reload"], ["enable", "--now", NAME]):
         result = subprocess.run([*systemctl_command, *command], capture_output=True, text=True, check=False)
         if result.returncode != 0:
-            reason = " ".join(result.stderr.split()) or f"exit code {result.returncode}"
-            raise Refusal(f"{file} is written, but systemd did not take it ({reason}): see to it, then try again.")
-    remaining = (
-        [] if system else ["It starts when you sign in; 'loginctl enable-linger' lets it start with the machine."]
-    )
-    return [f"{file} is installed and started: 'systemctl {'' if system else '--user '}status {NAME}'.", *remaining]
+            why = " ".join(result.stderr.split()) or Text("host-service-exit-code", code=result.returncode)
+            raise Refusal(Text("host-service-refused", file=str(file), why=why))
+    if system:
+        return [Text("host-service-installed", file=str(file), command=f"systemctl status {NAME}")]
+    return [
+        Text("host-service-installed", file=str(file), command=f"systemctl --user status {NAME}"),
+        Text("host-service-starts-at-sign-in"),
+    ]
 
 
 def _quoted(word: str) -> str:

@@ -60,7 +60,7 @@ def test_the_work_of_others_in_its_files_is_listed_as_the_notices_have_it(bodydr
     expected.append(("mypyc's run time", f"of mypy {version('mypy')}", "MIT"))
     assert [tuple(one.values()) for one in included] == expected
     table = listed(bodydrive, "--licences").splitlines()
-    assert table[table.index(about.HELD) + 1].split() == ["preact", "11.2.0", "MIT"]
+    assert table[table.index(str(about.HELD)) + 1].split() == ["preact", "11.2.0", "MIT"]
 
 
 def test_an_installation_without_notices_lists_none(monkeypatch, tmp_path):

@@ -38,7 +38,7 @@ def test_the_cause_of_a_failed_start_is_in_the_sentence(tmp_path) -> None:
 
 @pytest.mark.parametrize("lost", [None, LinkLost("The control process did not start.")])
 def test_a_control_process_that_wrote_its_own_message_is_named(lost) -> None:
-    assert "look at the messages above" in why_not_started(lost)
+    assert "look at the messages above" in str(why_not_started(lost))
 
 
 def test_a_refusal_is_a_sentence_already() -> None:

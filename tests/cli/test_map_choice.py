@@ -48,7 +48,7 @@ def test_each_joint_gets_what_was_asked_for_where_it_can_be_had(profile, chosen,
     taken, words = choose(profile, chosen, REASONS)
     assert [joint.map for joint in taken.joints] == maps
     assert len(words) == sentences
-    for sentence in words:
+    for sentence in map(str, words):
         assert "not better" in sentence or "keeps the standard calibration" in sentence
 
 

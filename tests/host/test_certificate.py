@@ -77,8 +77,8 @@ def test_it_follows_the_addresses_without_a_restart(place: Place) -> None:
     assert certificate.trust.addresses == ("10.0.0.9", "127.0.0.1")
     place.machine = machine_at("10.0.0.9", "8.8.8.8")
     (outside,) = certificate.refresh()
-    assert "8.8.8.8" in outside
-    assert "10.0.0.9" not in outside
+    assert "8.8.8.8" in str(outside)
+    assert "10.0.0.9" not in str(outside)
     assert certificate.trust.addresses == ("10.0.0.9",)
 
 
@@ -132,7 +132,7 @@ def test_a_wrong_clock_is_said_at_the_start_and_later(place: Place) -> None:
     certificate.refresh()
     place.now = dt.datetime(2000, 1, 1, tzinfo=dt.UTC)
     (later,) = certificate.refresh()
-    assert "clock shows 2000-01-01" in later
+    assert "clock shows 2000-01-01" in str(later)
     with pytest.raises(Refusal, match="clock shows 2000-01-01"):
         place.open()
     place.now = START + dt.timedelta(days=4000)
@@ -143,7 +143,7 @@ def test_a_wrong_clock_is_said_at_the_start_and_later(place: Place) -> None:
 def test_the_end_of_the_authority_is_announced(place: Place) -> None:
     place.open().refresh()
     place.now = START + dt.timedelta(days=3000)
-    assert any("authority ends on" in sentence for sentence in place.open().refresh())
+    assert any("authority ends on" in str(sentence) for sentence in place.open().refresh())
 
 
 def test_a_full_disk_keeps_the_old_certificate(place: Place, monkeypatch: pytest.MonkeyPatch) -> None:
@@ -157,7 +157,7 @@ def test_a_full_disk_keeps_the_old_certificate(place: Place, monkeypatch: pytest
     monkeypatch.setattr("app.host.certificate.write_atomically", no_room)
     place.now = START + dt.timedelta(days=300)
     (sentence,) = certificate.refresh()
-    assert "could not be renewed (No space left on device)" in sentence
+    assert "could not be renewed (No space left on device)" in str(sentence)
     assert certificate.trust == before
 
 
@@ -181,14 +181,14 @@ def test_a_certificate_of_ones_own_is_read_anew_when_it_is_replaced(own: tuple[P
     assert (certificate.trust.names, certificate.trust.root) == (("drive.clinic.example",), None)
     assert certificate.refresh() == []
     now[0] = START + dt.timedelta(days=390)
-    assert "ends on" in certificate.refresh()[0]
+    assert "ends on" in str(certificate.refresh()[0])
     now[0] = START + dt.timedelta(days=398)
-    assert "ended on" in certificate.refresh()[0]
+    assert "ended on" in str(certificate.refresh()[0])
     write_own(own[0].parent, now[0])
     assert certificate.refresh() == []
     assert certificate.trust.end > now[0]
     own[1].write_bytes(b"damaged")
-    assert "belong together" in certificate.refresh()[0]
+    assert "belong together" in str(certificate.refresh()[0])
 
 
 @pytest.mark.parametrize("days", [-30, 400])

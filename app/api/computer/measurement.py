@@ -11,6 +11,7 @@ from app.api.answers import Answer
 from app.child_process import ChildEndedError, JsonChild
 from app.host.machine_check import Verdict
 from app.refusals import Conflict, Unavailable
+from app.texts import Text, current_language
 
 CHECK_EVERY: Final = 0.05  # s between two checks whether a chair is armed
 START_LIMIT: Final = 30.0  # s for the process to start, beside the time that it measures
@@ -31,7 +32,7 @@ class FindingView(Answer):
     """What one measurement found, in words."""
 
     verdict: Verdict
-    message: str
+    message: Text
 
 
 class MachineView(FindingView):
@@ -70,7 +71,7 @@ class Measurement:
             ports = [word for port in own_ports for word in ("--own-port", str(port))]
             arguments = ["check", "--json", "--seconds", str(seconds), "--state", str(self._folder), *ports]
             try:
-                child = await JsonChild.start("app.cli.main", *arguments)
+                child = await JsonChild.start("app.cli.main", *arguments, language=current_language())
             except OSError as error:
                 raise Unavailable(FAILED) from error
             return await self._answer(child, seconds + START_LIMIT)

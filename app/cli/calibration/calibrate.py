@@ -11,6 +11,7 @@ from app.cli.common_options import AsJson
 from app.cli.errors import InputError
 from app.cli.output import dialect_summary, print_dialect, warn, write_output
 from app.number_format import percent
+from app.texts import Figure, Text, text_of
 
 if TYPE_CHECKING:
     from app.calibration.gestures.discovery import Discovery
@@ -19,13 +20,18 @@ if TYPE_CHECKING:
     from app.calibration.prior.prior_map import PriorFit
     from app.calibration.profile import CalibrationProfile, JointMap
 
-MAP_NAMES = {"pca": "standard", "guided": "cues", "prior": "people"}
+MAP_NAMES = {"pca": Text("cli-map-standard"), "guided": Text("cli-map-cues"), "prior": Text("cli-map-people")}
 THRESHOLDS = ("dead_zone", "full")
 PRINTED = ("evr", "span", "has_to_be_repeated", "reason", *THRESHOLDS)
-GESTURE_COLUMNS = ("score", "signal", "repeats", "along", "effort", "false/min", "answered")
-CONTROLS = {"u1+": "faster", "u1-": "slower", "u2+": "turn left", "u2-": "turn right", "stop": "stop"}
+GESTURE_COLUMNS = ("score", "signal", "repeats", "along", "effort", "false", "answered")
+CONTROLS = {
+    "u1+": Text("cli-control-faster"),
+    "u1-": Text("cli-control-slower"),
+    "u2+": Text("cli-control-left"),
+    "u2-": Text("cli-control-right"),
+    "stop": Text("cli-control-stop"),
+}
 MapChoice = Literal["pca", "guided", "prior", "best"]
-FALLBACK = "It keeps the standard calibration."
 
 
 def calibrate(
@@ -75,20 +81,21 @@ def calibrate(
         rows = [] if prompts is None else read_prompts(prompts, shirt, float(recorded.t[0]), float(recorded.t[-1]))
         pool = None if prior is None else MapPrior.of(read_prior(prior))
     except ValueError as error:
-        raise InputError(str(error)) from error
+        raise InputError(text_of(error)) from error
     free = window(signals, recorded, "from", start, "to", end)
     has_rest = rest_start is not None or rest_end is not None
     rest = window(signals, recorded, "rest-from", rest_start, "rest-to", rest_end) if has_rest else None
     try:
         fitted, prior_fit = fit_file(recorded, shirt, rows, free, rest, unused or (), end, pool)
     except PriorError as error:
-        raise InputError(f"--prior {prior}: {error}") from error
+        raise InputError(Text("cli-prior-problem", file=str(prior), problem=error)) from error
     except ValueError as error:
-        raise InputError(f"{signals}: {error}") from error
+        raise InputError(Text("cli-named", name=str(signals), text=error)) from error
     all_maps = fitted.profile if prior_fit is None else prior_fit.profile
     profile, warnings = choose(all_maps, chosen, fitted.reasons, None if prior_fit is None else prior_fit.reasons)
     sources = [file for file in (signals, layout, prompts, prior) if file is not None]
-    for sentence in (recorded.damage, *warnings):
+    warn(recorded.damage)
+    for sentence in warnings:
         warn(sentence)
     write_output(out, (profile.model_dump_json(indent=1) + "\n").encode(), *sources)
     needs_gestures = gestures or (rows and not as_json)
@@ -101,19 +108,24 @@ def calibrate(
             document["gestures"] = discovery.model_dump(mode="json")
         if prior_fit is not None:
             document |= _prior_summary(prior_fit)
-        typer.echo(json.dumps(document, allow_nan=False))
+        typer.echo(json.dumps(document, allow_nan=False, default=str))
         return
     typer.echo(_report(profile, fitted.reasons, out, expected_figures(profile, discovery)))
     if prior_fit is not None:
-        typer.echo("\n".join(["", *_prior_report(prior_fit)]))
+        typer.echo("\n".join(["", *map(str, _prior_report(prior_fit))]))
     print_dialect(recorded, signals)
     if discovery is not None and gestures:
         typer.echo(f"\n{_gesture_table(discovery)}")
 
 
-def _rate(share: float) -> str:
+def _rate(share: float) -> Text:
     """Return a threshold as a share of the full movement per second."""
-    return f"{100 * share:.0f} % / s"
+    return Text("cli-calibrate-rate", share=Figure(100 * share))
+
+
+def _title(name: str) -> str:
+    """Return the title of a column of the table of joints."""
+    return str(Text(f"cli-joints-{name}"))
 
 
 def _summary(profile: "CalibrationProfile", reasons: dict[str, str], out: Path) -> dict[str, object]:
@@ -134,7 +146,7 @@ def _summary(profile: "CalibrationProfile", reasons: dict[str, str], out: Path) 
 
 
 def _report(
-    profile: "CalibrationProfile", reasons: dict[str, str], out: Path, expected: Mapping[str, tuple[str, str]]
+    profile: "CalibrationProfile", reasons: dict[str, str], out: Path, expected: Mapping[str, tuple[Text, Text]]
 ) -> str:
     """Return a table for people: one line per joint, then the reasons, then the file of the profile.
 
@@ -143,47 +155,49 @@ def _report(
     from app.calibration.fit.profile_fit import joints_without_map
 
     without = joints_without_map(profile)
-    width = max(len(name) for name in ("joint", *profile.layout.joint_names))
-    titles = ("hits of 100", "at rest a minute")
-    head = [f"{'clear':>6}  {'span':>10}", *(f"{title:>18}" for title in titles)]
-    lines = ["  ".join([f"{'joint':{width}}", *head, f"{'counts from':>11}  {'full at':>9}  calibration"])]
+    width = max(len(name) for name in (_title("joint"), *profile.layout.joint_names))
+    head = [f"{_title('joint'):{width}}", f"{_title('clear'):>6}  {_title('span'):>10}"]
+    head += [f"{_title('hits'):>18}  {_title('at-rest'):>18}", f"{_title('counts-from'):>11}  {_title('full-at'):>9}"]
+    lines = ["  ".join([*head, _title("calibration")])]
     for joint in profile.joints:
         cells = [
             f"{joint.name:{width}}",
             f"{joint.evr:6.1%}  {joint.span:10.4g}",
-            *(f"{figure:>18}" for figure in expected[joint.name]),
-            f"{_rate(joint.thresholds[0]):>11}  {_rate(joint.thresholds[1]):>9}  {MAP_NAMES[joint.map]}",
+            *(f"{figure!s:>18}" for figure in expected[joint.name]),
+            f"{_rate(joint.thresholds[0])!s:>11}  {_rate(joint.thresholds[1])!s:>9}  {MAP_NAMES[joint.map]}",
         ]
         lines.append("  ".join(cells))
     no_figures = "  ".join(f"{'-':>{size}}" for size in (6, 10, 18, 18, 11, 9))
     lines += [f"{name:{width}}  {no_figures}  -" for name in without]
+    lines += ["", str(Text("cli-calibrate-clear-means")), str(Text("cli-calibrate-expected-means")), ""]
+    lines += [_named(joint.name, joint.reason) for joint in profile.joints]
+    lines += [_named(name, reason) for name, reason in without.items()]
     lines += [
-        "",
-        "Clear: share of the main movement. Span: of the full movement, in the signals' own unit.",
-        "Expected: how many of 100 movements reach half of full, and how often it acts at rest, a minute.",
-        "",
+        str(Text("cli-channel-left-out", channel=name, reason=reason)) for name, reason in profile.left_out.items()
     ]
-    lines += [f"{joint.name}: {joint.reason}" for joint in profile.joints]
-    lines += [f"{name}: {reason}" for name, reason in without.items()]
-    lines += [f"Channel {name} is left out: {reason}." for name, reason in profile.left_out.items()]
-    lines += ["", *comparison(profile, reasons, width), "", f"The profile is in {out}"]
+    lines += ["", *comparison(profile, reasons, width), "", str(Text("cli-calibrate-out", out=str(out)))]
     return "\n".join(lines)
+
+
+def _named(name: str, text: Text | str) -> str:
+    return str(Text("cli-named", name=name, text=text))
 
 
 def _gesture_table(discovery: "Discovery") -> str:
     """Return one line per gesture, the best first, then the suggestion; `-` where there is no measurement."""
     width = max(len(gesture.name) for gesture in discovery.gestures)
-    lines = [f"{'gesture':{width}}  {'  '.join(f'{title:>9}' for title in GESTURE_COLUMNS)}"]
+    titles = "  ".join(f"{Text(f'cli-gestures-{column}')!s:>9}" for column in GESTURE_COLUMNS)
+    lines = [f"{Text('cli-gesture')!s:{width}}  {titles}"]
     lines += [
-        f"{gesture.name:{width}}  {'  '.join(f'{cell:>9}' for cell in _cells(gesture))}"
+        f"{gesture.name:{width}}  {'  '.join(f'{cell!s:>9}' for cell in _cells(gesture))}"
         for gesture in discovery.gestures
     ]
     suggestion = discovery.suggestion
-    bound = [f"{CONTROLS[binding.control]}: {' + '.join(binding.gestures)}" for binding in suggestion.bindings]
-    return "\n".join([*lines, "", suggestion.reason, ", ".join(bound)])
+    bound = [_named(str(CONTROLS[binding.control]), " + ".join(binding.gestures)) for binding in suggestion.bindings]
+    return "\n".join([*lines, "", str(suggestion.reason), ", ".join(bound)])
 
 
-def _cells(gesture: "FoundGesture") -> list[str]:
+def _cells(gesture: "FoundGesture") -> list[object]:
     from app.calibration.grades import repeats_word, signal_word
 
     forecast = gesture.prediction
@@ -212,7 +226,7 @@ def _prior_summary(prior_fit: "PriorFit") -> dict[str, object]:
     }
 
 
-def _prior_report(prior_fit: "PriorFit") -> list[str]:
+def _prior_report(prior_fit: "PriorFit") -> list[Text]:
     """Return the lines on maps from other people, one per joint, and on the arrangement of the rings, one per ring."""
     joints = [_joint_sentence(joint, prior_fit.reasons) for joint in prior_fit.profile.joints]
     return joints + [_ring_sentence(ring, arrangement) for ring, arrangement in prior_fit.arrangement.items()]
@@ -241,29 +255,34 @@ def _forecast(forecast: "Forecast | None") -> object:
     return "not known" if forecast is None else forecast.model_dump(mode="json")
 
 
-def _joint_sentence(joint: "JointMap", reasons: dict[str, str]) -> str:
+def _joint_sentence(joint: "JointMap", reasons: dict[str, str]) -> Text:
     prior = joint.prior
     if prior is None:
-        return f"{joint.name}: {reasons[joint.name]}"
+        return Text("cli-named", name=joint.name, text=reasons[joint.name])
     hits, false = (
-        "not known" if forecast is None else f"{forecast.value:g} ± {forecast.uncertainty:g}"
+        Text("cli-unknown")
+        if forecast is None
+        else Text("cli-forecast", value=forecast.value, uncertainty=forecast.uncertainty)
         for forecast in (prior.hits, prior.false_per_minute)
     )
-    dropped = f"; channels that hardly move: {', '.join(prior.dropped)}" if prior.dropped else ""
-    return (
-        f"{joint.name}: {prior.source} ({prior.people} people, {prior.repetitions} own repetitions); expected hits of "
-        f"100 movements: {hits}; expected false activations a minute: {false}{dropped}"
+    return Text(
+        "cli-prior-joint-dropped" if prior.dropped else "cli-prior-joint",
+        joint=joint.name,
+        source=prior.source,
+        people=prior.people,
+        repetitions=prior.repetitions,
+        hits=hits,
+        false=false,
+        channels=", ".join(prior.dropped),
     )
 
 
-def _ring_sentence(ring: str, arrangement: "Arrangement") -> str:
+def _ring_sentence(ring: str, arrangement: "Arrangement") -> Text:
     from app.calibration.linear_map import Arrangement
 
     if arrangement == Arrangement():
-        return f"Ring {ring}: it sits as on other people."
-    places = f"turned by {arrangement.shift} {'place' if arrangement.shift == 1 else 'places'}"
-    mirrored = "mirrored and " if arrangement.mirrored else ""
-    return f"Ring {ring}: it is {mirrored}{places} against other people; the calibration allows for that."
+        return Text("cli-ring-as-others", ring=ring)
+    return Text("cli-ring-mirrored" if arrangement.mirrored else "cli-ring-turned", ring=ring, places=arrangement.shift)
 
 
 def choose(
@@ -271,35 +290,29 @@ def choose(
     chosen: MapChoice,
     reasons: dict[str, str],
     prior_reasons: dict[str, str] | None = None,
-) -> "tuple[CalibrationProfile, list[str]]":
+) -> "tuple[CalibrationProfile, list[Text]]":
     """Return the profile with the chosen map of each joint, and a sentence for each joint without it.
 
     `reasons` say why a joint has no guided map, `prior_reasons` why none from other people (None without a prior).
     """
     if chosen == "guided" and not any(joint.guided for joint in profile.joints):
         name, reason = next(iter(reasons.items()))
-        raise InputError(f"--map guided, {name}: {reason}")
+        raise InputError(Text("cli-map-guided-missing", joint=name, reason=reason))
     if chosen == "prior" and prior_reasons is None:
-        raise InputError("--map prior: other people's movements are in a prior, give it with --prior")
+        raise InputError(Text("cli-map-needs-prior"))
     if chosen == "prior" and prior_reasons and not any(joint.prior for joint in profile.joints):
         name, reason = next(iter(prior_reasons.items()))
-        raise InputError(f"--map prior, {name}: {reason}")
+        raise InputError(Text("cli-map-prior-missing", joint=name, reason=reason))
     sentences = []
     for joint in profile.joints:
         if chosen == "guided" and joint.guided is None:
-            sentences.append(f"{joint.name}: {reasons[joint.name]} {FALLBACK}")
+            sentences.append(Text("cli-map-fallback", joint=joint.name, reason=reasons[joint.name]))
         elif chosen == "guided" and joint.guided is not None and not joint.guided.is_better:
-            sentences.append(
-                f"{joint.name}: what was learnt from the cues is not better on the held-out repetitions. Use --map "
-                f"best to keep the standard calibration there."
-            )
+            sentences.append(Text("cli-map-guided-not-better", joint=joint.name))
         elif chosen == "prior" and joint.prior is None and prior_reasons is not None:
-            sentences.append(f"{joint.name}: {prior_reasons[joint.name]} {FALLBACK}")
+            sentences.append(Text("cli-map-fallback", joint=joint.name, reason=prior_reasons[joint.name]))
         elif chosen == "prior" and joint.prior is not None and not joint.prior.is_better:
-            sentences.append(
-                f"{joint.name}: what was learnt from other people is worse on the held-out repetitions. Use --map "
-                f"best to leave it out there."
-            )
+            sentences.append(Text("cli-map-prior-worse", joint=joint.name))
     joints = tuple(joint.model_copy(update={"map": _map_of(joint, chosen)}) for joint in profile.joints)
     return profile.model_copy(update={"joints": joints}), sentences
 
@@ -340,10 +353,12 @@ def comparison(profile: "CalibrationProfile", reasons: dict[str, str], width: in
     both = [(joint.name, joint.guided) for joint in profile.joints if joint.guided]
     lines = []
     if both:
+        titles = [Text(f"cli-compared-{title}") for title in ("in-phase", "time-driven", "false")]
+        maps = f"  {MAP_NAMES['pca']!s:>8}  {MAP_NAMES['guided']!s:>6}"
         lines += [
-            "On prompted repetitions that were kept apart, the standard calibration and the one learnt from the cues:",
-            f"{'':{width}}  {'in phase':>16}  {'time driven':>16}  {'false per min':>16}",
-            f"{'joint':{width}}" + f"  {'standard':>8}  {'cues':>6}" * 3 + "  offered",
+            str(Text("cli-compare-title")),
+            f"{'':{width}}" + "".join(f"  {title!s:>16}" for title in titles),
+            f"{_title('joint'):{width}}" + maps * 3 + f"  {Text('cli-compare-offered')}",
         ]
         lines += [
             f"{name:{width}}  "
@@ -351,10 +366,10 @@ def comparison(profile: "CalibrationProfile", reasons: dict[str, str], width: in
                 f"{standard:>8}  {cues:>6}"
                 for standard, cues in zip(_figures(guided.pca_check), _figures(guided.check), strict=True)
             )
-            + f"  {'yes' if guided.is_better else 'no'}"
+            + f"  {Text('cli-yes' if guided.is_better else 'cli-no')}"
             for name, guided in both
         ]
-    return lines + [f"{name}: {reason}" for name, reason in reasons.items()]
+    return lines + [_named(name, reason) for name, reason in reasons.items()]
 
 
 def _figures(check: "MapCheck | None") -> tuple[str, ...]:

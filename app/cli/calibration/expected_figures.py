@@ -5,12 +5,13 @@ from app.calibration.linear_map import Forecast
 from app.calibration.prior.map_prior import JointPrior
 from app.calibration.prior.solving import solve, thresholds
 from app.calibration.profile import CalibrationProfile, JointMap
+from app.texts import Figure, Text
 
-UNKNOWN = "not known"
+UNKNOWN = Text("cli-unknown")
 ANY_RATE = 100.0  # Hz: without own frames the weights do not depend on it
 
 
-def expected_figures(profile: CalibrationProfile, discovery: Discovery | None) -> dict[str, tuple[str, str]]:
+def expected_figures(profile: CalibrationProfile, discovery: Discovery | None) -> dict[str, tuple[Text, Text]]:
     """Return per joint the expected hits of 100 movements, and the expected activations a minute at rest.
 
     Each is followed by its uncertainty: one standard deviation for a calibration learnt from other people, the bound
@@ -20,7 +21,7 @@ def expected_figures(profile: CalibrationProfile, discovery: Discovery | None) -
     return {joint.name: _figures(joint, discovery) for joint in profile.joints}
 
 
-def _figures(joint: JointMap, discovery: Discovery | None) -> tuple[str, str]:
+def _figures(joint: JointMap, discovery: Discovery | None) -> tuple[Text, Text]:
     if joint.map == "prior" and joint.prior is not None:
         return _forecast(joint.prior.hits, 0), _forecast(joint.prior.false_per_minute, 1)
     gestures = [] if discovery is None or not joint.prompted else discovery.gestures
@@ -32,13 +33,20 @@ def _figures(joint: JointMap, discovery: Discovery | None) -> tuple[str, str]:
     hits, least = prediction.hit_rate, prediction.hit_at_least
     falsely, most = prediction.false_per_minute, prediction.counted_at_most
     return (
-        UNKNOWN if hits is None or least is None else f"{100 * hits:.0f} (at least {100 * least:.0f})",
-        UNKNOWN if falsely is None or most is None else f"{falsely:.1f} (at most {most:.0f})",
+        UNKNOWN
+        if hits is None or least is None
+        else Text("cli-at-least", figure=Figure(100 * hits), least=Figure(100 * least)),
+        UNKNOWN
+        if falsely is None or most is None
+        else Text("cli-at-most", figure=Figure(falsely, 1), most=Figure(most)),
     )
 
 
-def _forecast(forecast: Forecast | None, digits: int) -> str:
-    return UNKNOWN if forecast is None else f"{forecast.value:.{digits}f} ± {forecast.uncertainty:.{digits}f}"
+def _forecast(forecast: Forecast | None, digits: int) -> Text:
+    if forecast is None:
+        return UNKNOWN
+    value, uncertainty = Figure(forecast.value, digits), Figure(forecast.uncertainty, digits)
+    return Text("cli-forecast", value=value, uncertainty=uncertainty)
 
 
 def stroke_rates(joint: JointPrior) -> dict[str, float] | None:

@@ -13,6 +13,7 @@ from app.calibration.prior.prior_map import PriorFit, with_prior_maps
 from app.cli.errors import InputError
 from app.layout import ShirtLayout
 from app.signals.signals import Signals
+from app.texts import Text
 
 
 def window(
@@ -21,15 +22,22 @@ def window(
     """Return the rows between the times of two options (s, None without one); InputError for an empty range."""
     for option, seconds in ((start_option, start), (end_option, end)):
         if seconds is not None and not math.isfinite(seconds):
-            raise InputError(f"--{option} {seconds}: give a number of seconds")
+            raise InputError(Text("cli-no-seconds", option=option, value=str(seconds)))
     rows = recorded.between(start, end)
     if rows.stop <= rows.start:
         first = recorded.t[0] if start is None else start
         last = recorded.t[-1] if end is None else end
-        raise InputError(
-            f"--{start_option} {first:g} --{end_option} {last:g}: nothing of {signals} lies there, "
-            f"it goes from {recorded.t[0]:g} to {recorded.t[-1]:g} s"
+        nothing = Text(
+            "cli-nothing-there",
+            start=start_option,
+            first=f"{first:g}",
+            end=end_option,
+            last=f"{last:g}",
+            signals=str(signals),
+            begins=f"{recorded.t[0]:g}",
+            ends=f"{recorded.t[-1]:g}",
         )
+        raise InputError(nothing)
     return rows
 
 

@@ -14,8 +14,9 @@ from app.cli.common_options import COMMAND_LINE, AsJson, State, settings_of
 from app.cli.errors import InputError
 from app.cli.output import write_output
 from app.features import names
-from app.number_format import amount, percent
+from app.number_format import percent
 from app.settings import Settings
+from app.texts import Figure, Text, text_of
 
 if TYPE_CHECKING:
     from app.calibration.prior.documents import OwnPrior, ReleasedPeople
@@ -61,19 +62,19 @@ def add(
 
     check_code(person)
     if len(prompts) != len(signals):
-        raise InputError(f"there are {len(signals)} recordings and {len(prompts)} tables of prompts: give one for each")
+        raise InputError(Text("cli-prior-one-table-each", recordings=len(signals), tables=len(prompts)))
     try:
         shirt = read_layout(layout)
         document = read_prior(prior) if prior.exists() else OwnPrior(layout=shirt)
         if not isinstance(document, OwnPrior):
-            raise InputError(f"{prior} is a release, which holds sums over people: add to the clinic's own prior")
+            raise InputError(Text("cli-prior-add-to-release", prior=str(prior)))
         check_layout(document.layout, shirt)
         recordings = [read_recording(file, table, shirt, start) for file, table in zip(signals, prompts, strict=True)]
         entry = person_entry(recordings)
     except PriorError as error:
-        raise InputError(f"{prior}, {layout}: {error}") from error
+        raise InputError(Text("cli-named", name=f"{prior}, {layout}", text=error)) from error
     except ValueError as error:
-        raise InputError(str(error)) from error
+        raise InputError(text_of(error)) from error
     replaced = person in document.people
     document = document.with_person(person, entry)
     write_document(prior, document, *signals, *prompts, layout)
@@ -89,10 +90,14 @@ def add(
         typer.echo(json.dumps(summary))
         return
     strokes = sum(joint.strokes for joint in entry.joints.values())
-    typer.echo(
-        f"{person} {'replaced' if replaced else 'added'} with {strokes:.0f} strokes in {prior}, "
-        f"which now holds {_people(len(document.people))}"
+    done = Text(
+        "cli-prior-replaced" if replaced else "cli-prior-added",
+        person=person,
+        strokes=Figure(strokes),
+        prior=str(prior),
+        people=len(document.people),
     )
+    typer.echo(done)
 
 
 @prior_app.command("remove")
@@ -103,9 +108,9 @@ def remove(prior: PriorFile, *, person: Person) -> None:
 
     document = read_document(prior)
     if not isinstance(document, OwnPrior) or person not in document.people:
-        raise InputError(f"{prior}: there is no person '{person}' in it")
+        raise InputError(Text("cli-prior-nobody", prior=str(prior), person=person))
     write_document(prior, document.without_person(person))
-    typer.echo(f"{person} removed from {prior}")
+    typer.echo(Text("cli-prior-removed", person=person, prior=str(prior)))
 
 
 @prior_app.command("show")
@@ -136,25 +141,31 @@ def show(prior: PriorFile, *, as_json: AsJson = False) -> None:
         typer.echo(json.dumps({**facts, "joints": joints, "rings": rings}))
         return
     count = people if isinstance(people, int) else len(people)
-    kind = "own prior, an entry per person" if document.kind == "own" else "release, sums only"
-    typer.echo(f"{prior}: {kind}, {count} people in '{document.layout.name}'\n")
+    kind = Text(
+        "cli-prior-own" if document.kind == "own" else "cli-prior-release",
+        prior=str(prior),
+        people=count,
+        layout=document.layout.name,
+    )
+    typer.echo(f"{kind}\n")
     width = max((len(name) for name in joints), default=5)
-    head = "people  seconds  strokes  rate of strokes  ranges of the channels, signal units"
-    typer.echo(f"{'joint and gesture':{width + 12}}  {head}")
+    titles = [("people", 6), ("seconds", 7), ("strokes", 7), ("rate", 15)]
+    head = "  ".join(f"{Text(f'cli-prior-column-{title}')!s:>{size}}" for title, size in titles)
+    typer.echo(f"{Text('cli-prior-movement')!s:{width + 12}}  {head}  {Text('cli-prior-ranges')}")
     for name, joint in pool.joints.items():
         ranges = ", ".join(
             f"{channel} {value}" for channel, value in channel_ranges(document.layout, name, joint).items()
         )
-        movement = f"{name}, prompted"
+        movement = Text("cli-prior-prompted", joint=name)
         rates = stroke_rates(joint)
         speed = "-" if rates is None else f"{percent(rates['mean'])} ± {percent(rates['deviation'])}"
         figures = f"{joint.people:>6}  {joint.seconds:>7.0f}  {joint.strokes:>7.0f}  {speed:>15}"
-        typer.echo(f"{movement:{width + 12}}  {figures}  {ranges}")
-    typer.echo("Rate of strokes: mean and deviation in a movement, as shares of the rate that counts as full")
+        typer.echo(f"{movement!s:{width + 12}}  {figures}  {ranges}")
+    typer.echo(Text("cli-prior-rate-means"))
     for name, people_in_ring in rings.items():
-        typer.echo(f"Ring {name}: how it sits is known of {people_in_ring} people")
+        typer.echo(Text("cli-prior-ring", ring=name, people=people_in_ring))
     if pool.people < FEWEST_PEOPLE:
-        typer.echo(f"Too few to drive with: {FEWEST_PEOPLE} people are needed for a joint")
+        typer.echo(Text("cli-prior-too-few", people=FEWEST_PEOPLE))
 
 
 @prior_app.command("merge")
@@ -178,16 +189,16 @@ def merge(
     documents = [read_document(file) for file in priors]
     for i, document in enumerate(documents):
         if document in documents[:i]:
-            raise InputError(f"{priors[i]} stands there twice: name each prior once")
+            raise InputError(Text("cli-prior-twice", prior=str(priors[i])))
     try:
         if own:
             merged = union_of_people(documents)
             write_output(out, bytes_of(merged), *priors)
-            typer.echo(f"{_people(len(merged.people))} in {out}")
+            typer.echo(Text("cli-prior-merged", people=len(merged.people), out=str(out)))
         else:
             write_release(priors, documents, out)
     except PriorError as error:
-        raise InputError(f"{', '.join(map(str, priors))}: {error}") from error
+        raise InputError(Text("cli-named", name=", ".join(map(str, priors)), text=error)) from error
 
 
 def export_prior(
@@ -208,7 +219,7 @@ def export_prior(
     try:
         shirt = read_layout(layout)
     except ValueError as error:
-        raise InputError(str(error)) from error
+        raise InputError(text_of(error)) from error
     with open_clinic(settings) as (database, _):
         is_written = False
         try:
@@ -220,9 +231,7 @@ def export_prior(
                     result = _write_release(db, own_prior, out, layout)
                 else:
                     write_output(out, bytes_of(own_prior), layout)
-                    result = (
-                        f"{_people(len(own_prior.people))} in {out}, with an entry each: it must not leave the clinic."
-                    )
+                    result = Text("cli-prior-exported", people=len(own_prior.people), out=str(out))
                 is_written = True
         except BaseException:
             if is_written:  # the clinic could not store whose entries are released: there is no such release
@@ -247,29 +256,23 @@ def import_prior(
     settings = settings_of(state)
     document = read_document(prior)
     if not isinstance(document, OwnPrior):
-        raise InputError(
-            f"{prior} is a release, which holds sums and no entries of people: use it with `calibrate --prior`, and "
-            f"import the clinic's own prior"
-        )
+        raise InputError(Text("cli-prior-import-release", prior=str(prior)))
     shirt = Garment(document.layout, False, None).hash
     with open_clinic(settings) as (database, _), database.transaction() as db:
         _require_clinic(db, settings)
         if not is_prior_on(db):
-            raise InputError("The clinic has switched off that calibrations help later patients: see Settings")
+            raise InputError(Text("cli-prior-switched-off"))
         patients = {patient.code: patient for patient in all_patients(db)}
         for code in document.people:
             if code not in patients:
-                raise InputError(f"{prior}: there is no patient '{code}' in the clinic; nobody was imported")
+                raise InputError(Text("cli-prior-no-patient", prior=str(prior), code=code))
             if not may_add(db, patients[code], simulated=False):
-                raise InputError(
-                    f"{prior}: the patient '{code}' has not consented to “Use for other patients of the clinic”; "
-                    f"nobody was imported"
-                )
+                raise InputError(Text("cli-prior-no-consent", prior=str(prior), code=code))
         for code, entry in document.people.items():
             put_entry(db, patients[code].id, shirt, entry.model_dump(mode="json"), simulated=False)
             _mark_released(db, code, shirt, document.released)
         write_log(db, COMMAND_LINE, "prior imported", people=len(document.people))
-    typer.echo(f"{_people(len(document.people))} imported from {prior}")
+    typer.echo(Text("cli-prior-imported", people=len(document.people), prior=str(prior)))
 
 
 if "prior" in names():  # a clinic keeps one
@@ -288,14 +291,8 @@ def _own_prior(db: "Transaction", layout: "ShirtLayout", *, to_share: bool) -> "
     if not entries:
         count = len(worn_entries(db, shirt, to_share=False))
         if count:
-            raise InputError(
-                f"Nobody of the {_people(count)} known in '{layout.name}' has consented to “Sharing outside of the "
-                f"clinic”: ask them, and note it on the page of the patient"
-            )
-        raise InputError(
-            f"Nobody is known in '{layout.name}': calibrate patients in it who have consented to “Use for other "
-            f"patients of the clinic”"
-        )
+            raise InputError(Text("cli-prior-nobody-shares", people=count, layout=layout.name))
+        raise InputError(Text("cli-prior-nobody-known", layout=layout.name))
     released: dict[str, dict[str, list[str]]] = {"joints": {}, "rings": {}}
     for code, document in entries:
         for part, part_names in releases_of(document).items():
@@ -307,12 +304,10 @@ def _own_prior(db: "Transaction", layout: "ShirtLayout", *, to_share: bool) -> "
         }
         return OwnPrior(layout=layout, people=people, released=ReleasedPeople.model_validate(released))
     except ValueError as error:
-        raise InputError(
-            "A patient's code has characters that a prior cannot name: use letters, digits, dots and dashes only"
-        ) from error
+        raise InputError(Text("cli-prior-code")) from error
 
 
-def _write_release(db: "Transaction", own_prior: "OwnPrior", out: Path, layout: Path) -> str:
+def _write_release(db: "Transaction", own_prior: "OwnPrior", out: Path, layout: Path) -> Text:
     """Write the sums that may leave the clinic, note whose entries they hold, and return a sentence on the result."""
     from app.calibration.prior.map_prior import PriorError
     from app.calibration.prior.release import release
@@ -322,15 +317,14 @@ def _write_release(db: "Transaction", own_prior: "OwnPrior", out: Path, layout: 
     try:
         document, people, left_out = release([own_prior])
     except PriorError as error:
-        raise InputError(f"Of those who have consented to “Sharing outside”: {error}") from error
+        raise InputError(Text("cli-prior-no-release", problem=error)) from error
     shirt = Garment(own_prior.layout, False, None).hash
     for code in own_prior.people:
         _mark_released(db, code, shirt, people)
     write_output(out, bytes_of(document), layout)
-    result = f"{_people(document.people)} in {out}: sums only, which may leave the clinic."
     if left_out:
-        result += f" Not in it, because fewer than eight people are in no release yet: {', '.join(left_out)}."
-    return result
+        return Text("cli-prior-sums-without", people=document.people, out=str(out), names=", ".join(left_out))
+    return Text("cli-prior-sums", people=document.people, out=str(out))
 
 
 def _mark_released(db: "Transaction", code: str, shirt: str, released: "ReleasedPeople") -> None:
@@ -347,8 +341,4 @@ def _require_clinic(db: "Transaction", settings: Settings) -> None:
     from app.store.people import the_clinic
 
     if the_clinic(db) is None:
-        raise InputError(f"The clinic in {settings.state} is not set up yet: open its pages first.")
-
-
-def _people(count: int) -> str:
-    return amount(count, "person", "people")
+        raise InputError(Text("cli-no-set-up", folder=str(settings.state)))

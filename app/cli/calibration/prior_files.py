@@ -19,6 +19,7 @@ from app.files import write_atomically
 from app.layout import ShirtLayout
 from app.quantities import Name
 from app.signals.signals import read_signals
+from app.texts import Text, text_of
 
 
 def write_release(priors: list[Path], documents: list[PriorDocument], out: Path) -> None:
@@ -32,9 +33,9 @@ def write_release(priors: list[Path], documents: list[PriorDocument], out: Path)
     except InputError:
         out.unlink()
         raise
-    typer.echo(f"{released.people} people in {out}")
+    typer.echo(Text("cli-prior-released", people=released.people, out=str(out)))
     if left_out:
-        typer.echo(f"Not in it, because fewer than eight people are in no release yet: {', '.join(left_out)}")
+        typer.echo(Text("cli-prior-left-out", names=", ".join(left_out)))
 
 
 def read_recording(file: Path, table: Path, shirt: ShirtLayout, start: float | None) -> CleanRecording:
@@ -51,17 +52,18 @@ def read_document(file: Path) -> PriorDocument:
     try:
         return read_prior(file)
     except ValueError as error:
-        raise InputError(str(error)) from error
+        raise InputError(text_of(error)) from error
 
 
 def write_document(file: Path, document: PriorDocument, *sources: Path) -> None:
     """Write `document` to `file`, completely or not at all; `sources` are the files that it was made of."""
     if any(file.exists() and source.exists() and file.samefile(source) for source in sources):
-        raise InputError(f"{file} is a file that was read for this: give the prior another name")
+        raise InputError(Text("cli-prior-was-read", file=str(file)))
     try:
         write_atomically(file, bytes_of(document))
     except OSError as error:
-        raise InputError(f"{file} cannot be written ({error.strerror}): choose another place") from error
+        reason = error.strerror or error
+        raise InputError(Text("cli-prior-unwritable", file=str(file), reason=reason)) from error
 
 
 def bytes_of(document: PriorDocument) -> bytes:
@@ -74,7 +76,7 @@ def check_code(person: str) -> None:
     try:
         TypeAdapter(Name).validate_python(person)
     except ValueError as error:
-        raise InputError(f"--person {person}: give 1 to 64 letters, digits, dots or dashes") from error
+        raise InputError(Text("cli-prior-person", person=person)) from error
 
 
 def channel_ranges(layout: ShirtLayout, joint: str, prior: JointPrior) -> dict[str, float | None]:

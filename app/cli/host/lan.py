@@ -12,6 +12,7 @@ from app.cli.port import bind_free
 from app.cli.qr import terminal_code
 from app.network import NetworkService
 from app.refusals import Refusal
+from app.texts import Text, text_of
 
 if TYPE_CHECKING:
     from app.host.certificate import ServerCertificate
@@ -21,8 +22,8 @@ LOCAL_PORTS = (8080, 0)  # for this machine's own browser, first choice first
 PAGE_PORTS = (80, 8081, 0)  # for the page that explains
 EVERY_ADDRESS = ("0.0.0.0", "::")  # noqa: S104  (over https, and the page that explains)
 
-SCAN = "On a tablet, scan this code, or open the address below it:"
-MOVED = "This machine's address has changed. On a tablet, scan this code, or open the address below it:"
+SCAN = Text("cli-scan")
+MOVED = Text("cli-scan-again")
 
 
 @dataclass(slots=True)
@@ -51,7 +52,7 @@ class Lan:
             self.https[0].getsockname()[1], self.page[0].getsockname()[1], self.certificate.trust
         )
         self._printed_address = ""
-        self._printed: list[str] = []
+        self._printed: list[Text | str] = []
 
     def __enter__(self) -> "Lan":
         return self
@@ -59,17 +60,17 @@ class Lan:
     def __exit__(self, *_error: object) -> None:
         self._close.close()
 
-    def refresh(self) -> list[str]:
-        """Follow the machine's addresses and renew the certificate; return what is to be printed now."""
+    def refresh(self) -> list[Text | str]:
+        """Follow the machine's addresses and renew the certificate; return the lines to be printed now."""
         sentences = self.certificate.refresh()
         self.service.trust = self.certificate.trust
-        new_sentences = [sentence for sentence in sentences if sentence not in self._printed]
+        lines = [sentence for sentence in sentences if sentence not in self._printed]
         self._printed = sentences
         address = self.service.page_link()
         if address != self._printed_address:
-            new_sentences += [MOVED if self._printed_address else SCAN, terminal_code(address).rstrip("\n"), address]
+            lines += [MOVED if self._printed_address else SCAN, terminal_code(address).rstrip("\n"), address]
             self._printed_address = address
-        return new_sentences
+        return lines
 
 
 def bind_local(port: int | None) -> socket.socket:
@@ -82,9 +83,9 @@ def own_files(certificate: Path | None, key: Path | None, *, lan: bool) -> OwnFi
     if certificate is None and key is None:
         return None
     if not lan:
-        raise InputError("A certificate is for other machines: use --certificate and --key together with --lan.")
+        raise InputError(Text("cli-certificate-needs-lan"))
     if certificate is None or key is None:
-        raise InputError("A certificate needs its key: name both, with --certificate FILE --key FILE.")
+        raise InputError(Text("cli-certificate-needs-key"))
     return OwnFiles(certificate, key)
 
 
@@ -99,4 +100,4 @@ def _certificate(
             return OwnCertificate(own_files.certificate, own_files.key)
         return LocalCertificate(folder, lambda: this_machine(only))
     except Refusal as refusal:
-        raise InputError(str(refusal)) from refusal
+        raise InputError(text_of(refusal)) from refusal

@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING, Annotated
 import typer
 
 from app.cli.common_options import State, folder_of
+from app.texts import Text
 
 if TYPE_CHECKING:
     from app.host.machine_check import Finding
@@ -29,11 +30,11 @@ def check(
     from app.host.machine_check import summary
 
     if not as_json:
-        typer.echo(f"Measuring for {seconds} s, as the control loop would run ...")
+        typer.echo(Text("cli-check-begins", seconds=seconds))
     findings = _findings(seconds, folder_of(state), own_ports or [])
     last = summary(findings)
     if as_json:
-        typer.echo(json.dumps({**asdict(last), "findings": [asdict(finding) for finding in findings]}))
+        typer.echo(json.dumps({**asdict(last), "findings": [asdict(finding) for finding in findings]}, default=str))
     else:
         for finding in findings:
             typer.echo(f"{MARKS[finding.verdict]} {finding.message}")

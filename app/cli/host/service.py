@@ -10,6 +10,7 @@ import typer
 from app.cli.common_options import State, folder_of
 from app.cli.errors import InputError
 from app.refusals import Refusal
+from app.texts import Text, text_of
 
 service_app = typer.Typer(help="Let the machine start the clinic by itself.", no_args_is_help=True)
 
@@ -33,16 +34,16 @@ def install_service(
     from app.host.systemd_unit import install, unit
 
     if account is not None and not system:
-        raise InputError("A unit of your own runs as you: leave --account out, or add --system.")
+        raise InputError(Text("cli-service-account"))
     owner = (account or os.environ.get("SUDO_USER") or getpass.getuser()) if system else None
     if owner == "root":
-        raise InputError("The clinic must not run as root: name its account with --account.")
+        raise InputError(Text("cli-service-root"))
     if system and state is None:
-        raise InputError("Name the folder of the clinic with --state: a unit of the system has no home folder.")
+        raise InputError(Text("cli-service-state"))
     folder = folder_of(state)
     unprintable = next((letter for letter in f"{folder}{owner or ''}" if not letter.isprintable()), None)
     if unprintable is not None or (owner is not None and not owner.isascii()) or " " in (owner or ""):
-        raise InputError("The folder or the account has a letter that a unit cannot carry: choose another one.")
+        raise InputError(Text("cli-service-letters"))
     text = unit([sys.executable, "-m", "app.cli.main", "serve", "--lan", "--state", str(folder)], folder, owner)
     if only_print:
         typer.echo(text, nl=False)
@@ -51,4 +52,4 @@ def install_service(
         for sentence in install(text, system=system):
             typer.echo(sentence)
     except Refusal as refusal:
-        raise InputError(str(refusal)) from refusal
+        raise InputError(text_of(refusal)) from refusal

@@ -11,6 +11,7 @@ from app.cli.common_options import COMMAND_LINE, State, settings_of
 from app.cli.errors import InputError
 from app.cli.records.written_files import patient_named, written_whole
 from app.refusals import Refusal
+from app.texts import Text, text_of
 
 archive_app = typer.Typer(
     help="Take a whole patient to another clinic: sessions, controls, trials, recordings.",
@@ -39,8 +40,8 @@ def make(
         try:
             digest = make_archive(database, patient_id, COMMAND_LINE, settings.runs, part, make_report)
         except Refusal as refusal:
-            raise InputError(str(refusal)) from refusal
-    typer.echo(f"{out} is written. Its hash is {digest}.")
+            raise InputError(text_of(refusal)) from refusal
+    typer.echo(Text("cli-archive-made", file=str(out), hash=digest))
 
 
 @archive_app.command("import")
@@ -60,21 +61,17 @@ def import_file(
         with database.reading() as db:
             clinic = the_clinic(db)
         if clinic is None:
-            raise InputError(f"The clinic in {settings.state} is not set up yet: open its pages first.")
+            raise InputError(Text("cli-no-set-up", folder=str(settings.state)))
         try:
             shelf = settings.replaced if replace else None
             imported = import_archive(database, file, COMMAND_LINE, settings.runs, shelf=shelf)
         except (Refusal, ValueError) as refusal:
-            raise InputError(str(refusal)) from refusal
-    counts = f"Sessions: {imported.sessions}. Finished and kept trials: {imported.trials}."
+            raise InputError(text_of(refusal)) from refusal
+    code, sessions, trials = imported.code, imported.sessions, imported.trials
     if imported.is_new:
-        result = f"The patient {imported.code} is imported. {counts}"
+        typer.echo(Text("cli-archive-imported", code=code, sessions=sessions, trials=trials))
     elif imported.kept:
-        kept_file = settings.replaced / imported.kept
-        result = (
-            f"The patient {imported.code} is replaced. {counts} "
-            f"The patient as it was is kept for 30 days in {kept_file}."
-        )
+        kept = str(settings.replaced / imported.kept)
+        typer.echo(Text("cli-archive-replaced", code=code, sessions=sessions, trials=trials, file=kept))
     else:
-        result = f"The patient {imported.code} was imported from this archive before: nothing was changed."
-    typer.echo(result)
+        typer.echo(Text("cli-archive-again", code=code))

@@ -15,6 +15,7 @@ from app.cli.errors import InputError
 from app.file_modes import keep_new_files_private
 from app.refusals import Refusal
 from app.settings import Settings
+from app.texts import Figure, Text, text_of
 
 if TYPE_CHECKING:
     from app.features.backup.age_files import Secret
@@ -53,22 +54,20 @@ def backup(
             settings, target.absolute(), _secret_to_make(target, encrypt), with_keys=with_keys, progress=_show_progress
         )
     except Refusal as refusal:
-        raise InputError(str(refusal)) from refusal
+        raise InputError(text_of(refusal)) from refusal
     unlogged = _log_made(settings, target.absolute(), report)
     if as_json:
         typer.echo(json.dumps(asdict(report) | {"message": str(report.message or "")}))
         return
-    keys = (
-        "with the keys of chairs, shirts and clinic"
-        if report.with_keys
-        else "without the keys of chairs, shirts and clinic"
+    made = Text(
+        "cli-backup-made",
+        name=report.name,
+        files=report.files,
+        size=Figure(report.bytes / 1e6, 1),
+        keys="with" if report.with_keys else "without",
+        encrypted="yes" if report.encrypted else "no",
     )
-    typer.echo(
-        f"{report.name}: {report.files} files, {report.bytes / 1e6:.1f} MB, {keys}, "
-        f"{'encrypted' if report.encrypted else 'not encrypted'}. It was read back, and every hash is right.\n"
-        f"Hash of all: {report.hash}"
-    )
-    for sentence in filter(None, (report.message, unlogged)):
+    for sentence in filter(None, (made, Text("cli-backup-hash", hash=report.hash), report.message, unlogged)):
         typer.echo(sentence)
 
 
@@ -86,7 +85,7 @@ def restore(
 
     settings = settings_of(state)
     if erased is not None and not erased.is_file():
-        raise InputError(f"There is no file {erased}: name the list of erased patients, or leave --erased out.")
+        raise InputError(Text("cli-backup-no-erased", file=str(erased)))
     secret = _secret_to_read(source)
     try:
         with lock_folder(settings.state):
@@ -94,31 +93,32 @@ def restore(
             newer_erased = read_tombstones(erased) if erased is not None else frozenset()
             restored = restored_from(source.absolute(), settings, secret, newer_erased)
     except FolderInUseError as error:
-        raise InputError(f"The clinic in {settings.state} is open: restore into an empty folder.") from error
+        raise InputError(Text("cli-backup-clinic-open", folder=str(settings.state))) from error
     except Refusal as refusal:
-        raise InputError(str(refusal)) from refusal
+        raise InputError(text_of(refusal)) from refusal
+    manifest = restored.manifest
     facts: dict[str, object] = {
-        "made": restored.manifest.made,
-        "files": len(restored.manifest.files),
-        "bytes": restored.manifest.size,
-        "hash": restored.manifest.hash,
-        "with_keys": restored.manifest.with_keys,
+        "made": manifest.made,
+        "files": len(manifest.files),
+        "bytes": manifest.size,
+        "hash": manifest.hash,
+        "with_keys": manifest.with_keys,
         "erased_again": restored.erased_again,
     }
     if as_json:
         typer.echo(json.dumps(facts))
         return
-    keys = (
-        "The keys of chairs, shirts and clinic were in it."
-        if restored.manifest.with_keys
-        else "It held no keys: pair chairs and shirts anew."
+    done = Text(
+        "cli-restored-with-keys" if manifest.with_keys else "cli-restored-without-keys",
+        time=manifest.made[:16],
+        folder=str(settings.state),
+        files=len(manifest.files),
+        size=Figure(manifest.size / 1e6, 1),
     )
-    typer.echo(
-        f"The clinic of {restored.manifest.made[:16]} UTC is in {settings.state}: {facts['files']} files, "
-        f"{restored.manifest.size / 1e6:.1f} MB, every one equal by hash. {keys}\nHash of all: {restored.manifest.hash}"
-    )
+    typer.echo(done)
+    typer.echo(Text("cli-backup-hash", hash=manifest.hash))
     if restored.erased_again:
-        typer.echo(f"{restored.erased_again} patients who were erased since stay erased.")
+        typer.echo(Text("cli-restored-erased", count=restored.erased_again))
 
 
 def _check(target: Path, as_json: bool) -> None:
@@ -127,10 +127,14 @@ def _check(target: Path, as_json: bool) -> None:
     try:
         manifest = read_backup(target.absolute(), _secret_to_read(target))
     except Refusal as refusal:
-        raise InputError(str(refusal)) from refusal
-    facts = {"made": manifest.made, "files": len(manifest.files), "bytes": manifest.size, "hash": manifest.hash}
-    sentence = f"{target.name} is whole: {len(manifest.files)} files of {manifest.made[:16]} UTC, every hash is right."
-    typer.echo(json.dumps(facts) if as_json else f"{sentence}\nHash of all: {manifest.hash}")
+        raise InputError(text_of(refusal)) from refusal
+    files = len(manifest.files)
+    if as_json:
+        facts = {"made": manifest.made, "files": files, "bytes": manifest.size, "hash": manifest.hash}
+        typer.echo(json.dumps(facts))
+        return
+    typer.echo(Text("cli-backup-whole", name=target.name, files=files, time=manifest.made[:16]))
+    typer.echo(Text("cli-backup-hash", hash=manifest.hash))
 
 
 def _secret_to_make(target: Path, encrypt: bool) -> "Secret | None":
@@ -150,42 +154,41 @@ def _secret_to_read(source: Path) -> "Secret | None":
 
     newest = max(source.glob("*.backup"), default=None)  # the names of a folder begin with the time
     if newest is not None:
-        raise InputError(f"{source} is a folder of backups: name one of its files; the newest is {newest}.")
+        raise InputError(Text("cli-backup-is-folder", folder=str(source), newest=str(newest)))
     if not source.is_file():
-        raise InputError(f"There is no backup {source}: name a file.")
+        raise InputError(Text("cli-no-backup", file=str(source)))
     sealed = sealed_key_of(source)
     try:
         return None if sealed is None else opened_secret(sealed, _passphrase(is_new=False))
     except Refusal as refusal:
-        raise InputError(str(refusal)) from refusal
+        raise InputError(text_of(refusal)) from refusal
 
 
 def _passphrase(*, is_new: bool) -> str:
     passphrase = os.environ.get(PASSPHRASE)
     if passphrase is None:
         if not sys.stdin.isatty():
-            raise InputError(f"This needs a passphrase: put it into the environment variable {PASSPHRASE}.")
-        passphrase = typer.prompt("Passphrase", hide_input=True, confirmation_prompt=is_new, err=True)
+            raise InputError(Text("cli-passphrase-needed", variable=PASSPHRASE))
+        question = str(Text("cli-passphrase"))
+        passphrase = typer.prompt(question, hide_input=True, confirmation_prompt=is_new, err=True)
     if is_new and len(passphrase) < SHORTEST:
-        raise InputError(f"This passphrase is too short: take {SHORTEST} characters or more.")
+        raise InputError(Text("cli-passphrase-short", least=SHORTEST))
     return str(passphrase)
 
 
 def _show_progress(step: str, done: int, total: int) -> None:
     if sys.stderr.isatty():
-        step_name = {"store": "Copying", "verify": "Reading back"}[step]
-        sys.stderr.write(
-            f"\r{step_name}: {done / 1e6:.0f} of {total / 1e6:.0f} MB \033[K{'' if done < total else chr(10)}"
-        )
+        progress = Text(f"cli-backup-step-{step}", done=Figure(done / 1e6), total=Figure(total / 1e6))
+        sys.stderr.write(f"\r{progress} \033[K{'' if done < total else chr(10)}")
 
 
-def _log_made(settings: Settings, target: Path, report: "MadeReport") -> str:
+def _log_made(settings: Settings, target: Path, report: "MadeReport") -> Text | None:
     """Log the backup; return a sentence when the clinic is of another version and so cannot be opened."""
     from app.features.backup.made_backups import add_backup
     from app.store.schema import NEWEST, revision_of
 
     if revision_of(settings.database) != NEWEST:
-        return "The clinic is of another version than this command, so its log does not name this backup."
+        return Text("cli-backup-unlogged")
     with open_clinic(settings) as (database, _), database.transaction(closing=True) as db:
         add_backup(
             db,
@@ -201,4 +204,4 @@ def _log_made(settings: Settings, target: Path, report: "MadeReport") -> str:
             encrypted=report.encrypted,
             with_keys=report.with_keys,
         )
-    return ""
+    return None

@@ -13,6 +13,7 @@ from app.cli.records.written_files import patient_named, written_whole
 from app.features.exports.forms import FORMS, Form
 from app.refusals import Refusal
 from app.settings import Settings
+from app.texts import Text, text_of
 
 if TYPE_CHECKING:
     from app.features.exports.export_material import ExportMaterial
@@ -32,15 +33,15 @@ def export(
 
     chosen: Form | None = next((name for name in FORMS if name == form), None)
     if chosen is None:
-        raise InputError(f"--format {form}: give one of {', '.join(FORMS)}.")
+        raise InputError(Text("cli-export-format", format=form, formats=", ".join(FORMS)))
     settings = settings_of(state)
     with written_whole(out) as part:
         steps = export_steps(_material(settings, patient, session, chosen, part.parent), chosen)
         for done, step in enumerate(steps):
             if done:
-                typer.echo(f"Recording {done} of {len(steps) - 1}", err=True)
+                typer.echo(Text("cli-export-step", done=done, total=len(steps) - 1), err=True)
             step(part)
-    typer.echo(f"{out} is written.")
+    typer.echo(Text("cli-file-written", file=str(out)))
 
 
 def _material(settings: Settings, patient: str, session: int | None, form: Form, place: Path) -> "ExportMaterial":
@@ -56,4 +57,4 @@ def _material(settings: Settings, patient: str, session: int | None, form: Form,
                 database, patient_id, session, form, COMMAND_LINE, settings.runs, spreads_of, place=place
             )
         except Refusal as refusal:
-            raise InputError(str(refusal)) from refusal
+            raise InputError(text_of(refusal)) from refusal

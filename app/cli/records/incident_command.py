@@ -11,6 +11,7 @@ from app.cli.clinic_folder import open_clinic
 from app.cli.common_options import COMMAND_LINE, AsJson, State, settings_of
 from app.cli.errors import InputError
 from app.refusals import Refusal
+from app.texts import Text, text_of
 
 
 def incident(
@@ -30,27 +31,34 @@ def incident(
     from app.features.backup.incident_archive import archive_incident, check_incident
 
     if public is not None and not check:
-        raise InputError("--public-key belongs to --check: leave it out, or check an archive.")
+        raise InputError(Text("cli-incident-key"))
     settings = settings_of(state)
     try:
         if check:
             archive = check_incident(file, None if public is None else public.read_bytes())
         else:
-            if not file.absolute().parent.is_dir():
-                raise InputError(f"There is no folder {file.absolute().parent}: make it, or choose another place.")
+            folder = file.absolute().parent
+            if not folder.is_dir():
+                raise InputError(Text("cli-incident-no-folder", folder=str(folder)))
             with open_clinic(settings) as (database, _):
                 archive = archive_incident(
                     settings, database, file.absolute(), COMMAND_LINE, realtime.take_lowest_priority
                 )
     except Refusal as refusal:
-        raise InputError(str(refusal)) from refusal
+        raise InputError(text_of(refusal)) from refusal
     if as_json:
         typer.echo(json.dumps(asdict(archive)))
         return
-    contents = (
-        f"{archive.files} files, {archive.recordings} recordings, from {archive.since[:16]} to {archive.made[:16]} UTC"
+    right = Text(
+        "cli-incident-right",
+        name=file.name,
+        files=archive.files,
+        recordings=archive.recordings,
+        start=archive.since[:16],
+        end=archive.made[:16],
     )
-    typer.echo(f"{file.name}: {contents}. Every hash and the signature are right.")
-    typer.echo(f"Hash of the manifest: {archive.hash}\nFingerprint of the key: {archive.fingerprint}")
+    typer.echo(right)
+    typer.echo(Text("cli-incident-hash", hash=archive.hash))
+    typer.echo(Text("cli-incident-fingerprint", fingerprint=archive.fingerprint))
     if not check:
-        typer.echo("Patients of these sessions are not erased before an owner lifts the mark (page Backup).")
+        typer.echo(Text("cli-incident-kept"))

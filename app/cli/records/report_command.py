@@ -12,7 +12,7 @@ from app.cli.errors import InputError
 from app.cli.output import check_new_folder, write_output
 from app.cli.records.written_files import patient_named
 from app.refusals import Conflict, Refusal
-from app.texts import ENGLISH, LANGUAGES, Text
+from app.texts import ENGLISH, LANGUAGES, Text, text_of
 
 if TYPE_CHECKING:
     from app.features.reports.document import Form
@@ -53,11 +53,11 @@ def report(
                 database, settings, subject, form, COMMAND_LINE, spreads_of, for_patient=for_patient
             )
         except Conflict as refusal:
-            raise InputError(str(refusal).removesuffix(".") + ": add --for-patient.") from refusal
+            raise InputError(Text("cli-report-for-patient", problem=refusal)) from refusal
         except Refusal as refusal:
-            raise InputError(str(refusal)) from refusal
+            raise InputError(text_of(refusal)) from refusal
     write_output(out, report_file(material, form, "us-letter" if letter else "a4", language))
-    typer.echo(f"{out} is written.")
+    typer.echo(Text("cli-file-written", file=str(out)))
 
 
 def _form_of(out: Path) -> "Form":
@@ -66,4 +66,4 @@ def _form_of(out: Path) -> "Form":
         return "pdf"
     if suffix == ".html":
         return "html"
-    raise InputError(f"--out {out} ends neither with .pdf nor with .html: give one of these.")
+    raise InputError(Text("cli-report-suffix", file=str(out)))

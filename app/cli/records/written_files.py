@@ -6,7 +6,8 @@ from pathlib import Path
 from typing import TYPE_CHECKING
 
 from app.cli.errors import InputError
-from app.cli.output import check_new_folder
+from app.cli.output import check_new_folder, unwritable
+from app.texts import Text
 
 if TYPE_CHECKING:
     from app.store.database import Database
@@ -17,14 +18,14 @@ def written_whole(out: Path) -> Iterator[Path]:
     """Yield a file beside `out` that replaces it at the end, or is removed when an error is raised."""
     check_new_folder(out.parent)
     if out.exists() and not out.is_file():
-        raise InputError(f"--out {out} is no ordinary file: choose another place.")
+        raise InputError(Text("cli-out-no-file", file=str(out)))
     part = out.with_name(f".{out.name}.part")
     try:
         out.parent.mkdir(parents=True, exist_ok=True)
         yield part
         part.replace(out)
     except OSError as error:
-        raise InputError(f"--out {out} cannot be written ({error.strerror or error}): choose another place.") from error
+        raise unwritable(out, error) from error
     finally:
         part.unlink(missing_ok=True)
 
@@ -36,5 +37,5 @@ def patient_named(database: "Database", code: str) -> int:
     with database.reading() as db:
         matching = [row for row in all_patients(db) if row.code == code]
         if not matching:
-            raise InputError(f"There is no patient with the code '{code}': see the list of patients.")
+            raise InputError(Text("cli-no-such-patient", code=code))
         return matching[0].id

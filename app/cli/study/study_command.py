@@ -12,6 +12,7 @@ from app.cli.common_options import AsJson
 from app.cli.errors import InputError
 from app.cli.output import check_new_folder
 from app.study.choices import FigureChoice, Mode, PersonKind, StudyMap
+from app.texts import Text
 
 if TYPE_CHECKING:
     from app.world.floorplan import FloorPlan
@@ -67,23 +68,21 @@ def study(
     from app.realtime import collect_seldom
 
     if seed + seeds - 1 > LARGEST_SEED:
-        raise InputError(f"--seed {seed} leaves no room for --seeds {seeds}: the largest seed is {LARGEST_SEED}")
+        raise InputError(Text("cli-study-seeds", seed=seed, seeds=seeds, largest=LARGEST_SEED))
     if adapt is not None and no_learning:
-        raise InputError("--no-learning goes without --adapt: over sessions the person is chosen with --person")
+        raise InputError(Text("cli-study-learning"))
     if interface_test and (adapt is not None or no_learning):
-        raise InputError("--interface-test goes without --adapt and --no-learning: choose one of them")
+        raise InputError(Text("cli-study-interface"))
     if map_kind != "pca" and adapt is None:
-        raise InputError(f"--map {map_kind} goes with --adapt: say how the calibration adapts, or leave it out")
+        raise InputError(Text("cli-study-map", map=map_kind))
     _check_out(out, overwrite)
     plan = find_floorplan(floorplan)
     try:
         chosen = plan.path_named(path) if path is not None else plan.paths[0]
     except ValueError as error:
-        raise InputError(f"--path: {error}") from error
+        raise InputError(Text("cli-study-bad-path", problem=error)) from error
     if chosen.task.kind in ("turn", "course"):
-        raise InputError(
-            f"--path {chosen.name}: it has no line to be scored beside, choose a path that is driven along"
-        )
+        raise InputError(Text("cli-study-path", path=chosen.name))
     collect_seldom()
     run: partial[None]
     if adapt is not None:
@@ -110,11 +109,11 @@ def _check_out(out: Path, overwrite: bool) -> None:
 
     check_new_folder(out)
     if out.is_dir() and (foreign := sorted(entry.name for entry in out.iterdir() if not OF_A_STUDY(entry.name))):
-        raise InputError(f"--out {out} holds '{foreign[0]}', which is no part of a study: name a new or empty folder")
+        raise InputError(Text("cli-study-foreign", folder=str(out), file=foreign[0]))
     try:
         check_folder(out, overwrite)
     except ValueError as error:
-        raise InputError(f"--out {error}") from error
+        raise InputError(Text("cli-study-bad-out", problem=error)) from error
 
 
 def find_floorplan(name: str) -> "FloorPlan":
@@ -132,7 +131,7 @@ def find_floorplan(name: str) -> "FloorPlan":
         place = find_place(name)
         if place is None and not (name and os.path.exists(name)):
             names = ", ".join(bundled_places())
-            raise InputError(f"--floorplan '{name}': there is no such floor plan: use {names} or a JSON file")
+            raise InputError(Text("cli-study-no-plan", plan=name, names=names))
         return place or load_floorplan(Path(name))
     except ValueError as error:
-        raise InputError(f"--floorplan {error}") from error
+        raise InputError(Text("cli-study-bad-plan", problem=error)) from error

@@ -14,6 +14,7 @@ from typing import NamedTuple, TypeVar
 import typer
 
 from app.cli.errors import InputError
+from app.cli.output import unwritable
 from app.clock import stopwatch
 from app.figures.study_figures import draw_seeds, draw_study
 from app.hardware.body.person_parameters import NOVICE
@@ -28,6 +29,7 @@ from app.study.seeds_files import seeds_summary, sentences, write_seeds
 from app.study.sessions import StudySessionTrial, run_participants
 from app.study.simulated_trial import StudyTrial
 from app.study.study_files import summary, write_study
+from app.texts import Figure, Text, text_of
 from app.world.floorplan import FloorPlan, PrescribedPath
 
 SESSION_ROWS, SESSION_TABLE, SESSION_SUMMARY = "sessions.csv", "table.txt", "adaptation.json"
@@ -54,9 +56,9 @@ def _refused(out: Path) -> Iterator[None]:
     try:
         yield
     except ValueError as error:
-        raise InputError(str(error)) from error
+        raise InputError(text_of(error)) from error
     except OSError as error:
-        raise InputError(f"--out {out} cannot be written ({error.strerror}): choose another place") from error
+        raise unwritable(out, error) from error
 
 
 def study_trials(asked: StudyRequest, *, learns: bool, figures: FigureChoice, overwrite: bool) -> None:
@@ -68,10 +70,7 @@ def study_trials(asked: StudyRequest, *, learns: bool, figures: FigureChoice, ov
         When the folder cannot be written, a calibration could not be made, or the figures cannot be drawn.
     """
     if figures != "none" and find_spec("matplotlib") is None:
-        raise InputError(
-            f"--format {figures}: figures need the library matplotlib, install it with "
-            "pip install 'bodydrive[figures]', or leave them out with --format none"
-        )
+        raise InputError(Text("cli-study-figures", format=figures))
     started = stopwatch()
     driver = dataclasses.replace(NOVICE, learns=learns)
     out, trials, seeds, plan, path, processes, as_json = asked
@@ -89,7 +88,8 @@ def study_trials(asked: StudyRequest, *, learns: bool, figures: FigureChoice, ov
             draw = _no_figures if figures == "none" else partial(draw_seeds, results, figure_format=figures)
             write_seeds(results, out, draw, overwrite)
             document, lines = seeds_summary(results), sentences(results)
-    _report_results(asked, document, "\n".join(lines), f"{trials * len(seeds)} trials", started)
+    done = Text("cli-study-trials-done", count=trials * len(seeds), seconds=_since(started), out=str(out))
+    _report_results(asked, document, "\n".join(lines), done)
 
 
 def _no_figures(_folder: Path) -> None:
@@ -104,15 +104,19 @@ class _Progress:
 
     def __call__(self, trial: StudyTrial) -> None:
         measures = trial.measures
-        reached = "" if measures["reached"] else ", goal not reached"
-        sys.stderr.write(
-            f"trial {trial.number} of {self._trials}: distance driven {measures['dist']:.1f} m, "
-            f"area off the path {measures['e_diff']:.2f} m², {measures['time']:.0f} s{reached}\n"
+        progress = Text(
+            "cli-study-trial" if measures["reached"] else "cli-study-trial-missed",
+            number=trial.number,
+            trials=self._trials,
+            distance=Figure(measures["dist"], 1),
+            area=Figure(measures["e_diff"], 2),
+            seconds=Figure(measures["time"]),
         )
+        sys.stderr.write(f"{progress}\n")
 
 
 def _report_seed(result: StudyResult) -> None:
-    sys.stderr.write(f"seed {result.seed}: {len(result.trials)} trials driven\n")
+    sys.stderr.write(f"{Text('cli-study-seed-trials', seed=result.seed, count=len(result.trials))}\n")
 
 
 def study_sessions(asked: StudyRequest, *, adapt: Mode, person: PersonKind, map_kind: StudyMap, sessions: int) -> None:
@@ -144,16 +148,21 @@ def study_sessions(asked: StudyRequest, *, adapt: Mode, person: PersonKind, map_
         comparison = compare([row for row in rows if row.mode == "off"], [row for row in rows if row.mode == modes[-1]])
         document, text = {**conditions, **comparison}, table(comparison)
         _write_summary(out / SESSION_SUMMARY, document, out / SESSION_TABLE, text)
-    _report_results(asked, document, text, f"{len(rows)} trials", started)
+    done = Text("cli-study-trials-done", count=len(rows), seconds=_since(started), out=str(out))
+    _report_results(asked, document, text, done)
 
 
 def _report_session_trials(rows: Sequence[StudySessionTrial]) -> None:
     for row in rows:
-        ending = "" if row.reached else ", goal not reached"
-        sys.stderr.write(
-            f"seed {row.seed}, {row.mode}, session {row.session}, trial {row.trial}: "
-            f"area off the path {row.e_diff:.2f} m²{ending}\n"
+        progress = Text(
+            "cli-study-session-trial" if row.reached else "cli-study-session-trial-missed",
+            seed=row.seed,
+            mode=row.mode,
+            session=row.session,
+            trial=row.trial,
+            area=Figure(row.e_diff, 2),
         )
+        sys.stderr.write(f"{progress}\n")
 
 
 def study_interface(asked: StudyRequest, *, person: PersonKind, sessions: int) -> None:
@@ -181,11 +190,12 @@ def study_interface(asked: StudyRequest, *, person: PersonKind, sessions: int) -
         tests_summary = interface_summary(rows)
         document, text = {**conditions, **tests_summary}, interface_table(tests_summary)
         _write_summary(out / TEST_SUMMARY, document, out / TEST_TABLE, text)
-    _report_results(asked, document, text, f"{len(rows)} two-minute tests", started)
+    done = Text("cli-study-tests-done", count=len(rows), seconds=_since(started), out=str(out))
+    _report_results(asked, document, text, done)
 
 
 def _report_sessions(sessions: Sequence[InterfaceSession]) -> None:
-    sys.stderr.write(f"seed {sessions[0].seed}: {len(sessions)} sessions\n")
+    sys.stderr.write(f"{Text('cli-study-seed-sessions', seed=sessions[0].seed, count=len(sessions))}\n")
 
 
 def _write_summary(file: Path, document: Mapping[str, object], table_file: Path, text: str) -> None:
@@ -194,13 +204,18 @@ def _write_summary(file: Path, document: Mapping[str, object], table_file: Path,
     file.write_text(json.dumps(document, indent=1, allow_nan=False) + "\n", encoding="utf-8")
 
 
-def _report_results(asked: StudyRequest, document: Mapping[str, object], text: str, what: str, started: float) -> None:
-    """Print a study's summary as JSON, or its table, what was done, and how long it took since `started` (s)."""
+def _since(started: float) -> Figure:
+    """Return the time since `started`, s."""
+    return Figure(stopwatch() - started, 1)
+
+
+def _report_results(asked: StudyRequest, document: Mapping[str, object], text: str, done: Text) -> None:
+    """Print a study's summary as JSON, or its table, then what was done."""
     if asked.as_json:
         typer.echo(json.dumps({"out": str(asked.out), **document}, allow_nan=False))
         return
     typer.echo(text)
-    typer.echo(f"{what} in {stopwatch() - started:.1f} s, written to {asked.out}")
+    typer.echo(done)
 
 
 def _written_rows(

@@ -71,7 +71,7 @@ def test_without_consent_to_sharing_only_a_copy_for_the_patient_is_written(bodyd
     assert_refused(
         bodydrive(*words),
         "has not consented to sharing outside the clinic",
-        "A copy for the patient needs no consent: add --for-patient.",
+        "A copy for the patient needs no consent. For such a copy, add --for-patient.",
     )
     assert not (tmp_path / "all.html").exists()
     assert bodydrive(*words, "--for-patient")[0] == 0
