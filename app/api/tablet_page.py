@@ -12,11 +12,12 @@ from starlette.responses import JSONResponse, PlainTextResponse, Response
 from starlette.types import Receive, Scope, Send
 from starlette.websockets import WebSocketClose
 
-from app.api.pages import ASK_AGAIN, read_entry
+from app.api.pages import ASK_AGAIN, PageFile, read_entry
 from app.clock import utc_now
 from app.host.authority_files import apple_profile, root_pem
 from app.network import NetworkService
 from app.settings import static_folder
+from app.texts import current_language
 
 PAGE: Final = "tablet.html"
 HEADERS: Final = {
@@ -37,7 +38,7 @@ class TabletPage:
 
     def __init__(self, network: NetworkService) -> None:
         self._network = network
-        self._files = read_entry(static_folder(), PAGE)
+        self._of_language: dict[str, dict[str, PageFile]] = {}
 
     async def __call__(self, scope: Scope, receive: Receive, send: Send) -> None:
         """Answer a request."""
@@ -59,13 +60,21 @@ class TabletPage:
             return self._download("application/x-apple-aspen-config", name)
         if name == "bodydrive-authority.crt":
             return self._download("application/x-x509-ca-cert", name)
-        if name not in self._files:
+        files = self._files()
+        if name not in files:
             return PlainTextResponse(NOTHING_ELSE, 404)
-        file = self._files[name]
-        headers = {"Content-Type": file.kind, "Cache-Control": ASK_AGAIN}
+        file = files[name]
+        headers = {"Content-Type": file.kind, "Cache-Control": ASK_AGAIN, "Vary": "Accept-Language, Cookie"}
         if name == PAGE:
             headers["Content-Security-Policy"] = POLICY.format(https=link.rstrip("/"))
         return Response(file.content, headers=headers)
+
+    def _files(self) -> dict[str, PageFile]:
+        """Return the files of the page in the language of the request."""
+        language = current_language()
+        if language not in self._of_language:
+            self._of_language[language] = read_entry(static_folder(), PAGE, language)
+        return self._of_language[language]
 
     def _host(self, headers: Headers) -> str | None:
         """Return the host by which the page was opened, None when the certificate does not name it."""
