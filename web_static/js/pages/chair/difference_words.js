@@ -3,10 +3,11 @@
  * @import { BoundGestures, FieldDifference, GestureDifference, NamedGesture, Summary } from "types/api"
  */
 import { t } from "../../texts.js";
-import { number } from "../../widgets/format.js";
+import { number, significant } from "../../widgets/format.js";
 import { SPEEDS } from "../../widgets/speed_rows.js";
 
 const MOST_DIGITS = 9;
+const GAIN_DIGITS = 6; // significant
 const DIGITS = { cutoff: 1, cruise_time: 0, turn_cruise_time: 1 };
 
 /** A sentence. @param {Summary["differences"][number]} difference */
@@ -61,7 +62,7 @@ function boundWords(control, bindings) {
   const together = t(control === "stop" ? "control-and" : "control-or");
   const parts = bindings.map(({ gestures, gain }) => {
     const words = gestures.map(named).join(together) || t("differs-nothing");
-    return t("differs-gain", { gestures: words, gain: short(gain) });
+    return t("differs-gain", { gestures: words, gain: significant(gain, GAIN_DIGITS) });
   });
   return parts.join("; ") || t("differs-nothing");
 }
@@ -83,11 +84,6 @@ function change(what, before, now) {
 function distinct(before, now, digits) {
   while (digits < MOST_DIGITS && number(before, digits) === number(now, digits)) digits += 1;
   return [number(before, digits), number(now, digits)];
-}
-
-/** At most six significant digits. @param {number} value */
-function short(value) {
-  return String(Number(value.toPrecision(6)));
 }
 
 /** @param {string} words */
