@@ -29,6 +29,7 @@ def test_it_holds(run_script, reference_file, monkeypatch, script):
 
 
 @pytest.mark.parametrize("language", LANGUAGES)
-def test_numbers_lists_and_times_are_written_as_the_language_does(run_script, monkeypatch, language):
+@pytest.mark.parametrize("script", ["formats", "joint_words"])
+def test_numbers_lists_times_and_joints_are_written_as_the_language_does(run_script, monkeypatch, script, language):
     monkeypatch.setenv("TZ", "America/New_York")
-    assert " hold" in run_script("formats.mjs", language=language)
+    assert " hold" in run_script(f"{script}.mjs", language=language)

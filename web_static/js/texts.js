@@ -2,4 +2,4 @@
 import { catalogue } from "./words.js";
 import messages from "../words/pages.ftl.js";
 
-export const { t, hasText } = catalogue(messages);
+export const { t, hasText, textWith } = catalogue(messages);
