@@ -12,12 +12,12 @@ from starlette.responses import JSONResponse, PlainTextResponse, Response
 from starlette.types import Receive, Scope, Send
 from starlette.websockets import WebSocketClose
 
-from app.api.pages import ASK_AGAIN, PageFile, read_entry
+from app.api.pages import ASK_AGAIN, read_entry
 from app.clock import utc_now
 from app.host.authority_files import apple_profile, root_pem
 from app.network import NetworkService
 from app.settings import static_folder
-from app.texts import current_language
+from app.texts import LANGUAGES, current_language
 
 PAGE: Final = "tablet.html"
 HEADERS: Final = {
@@ -38,7 +38,7 @@ class TabletPage:
 
     def __init__(self, network: NetworkService) -> None:
         self._network = network
-        self._of_language: dict[str, dict[str, PageFile]] = {}
+        self._files = {language: read_entry(static_folder(), PAGE, language) for language in LANGUAGES}
 
     async def __call__(self, scope: Scope, receive: Receive, send: Send) -> None:
         """Answer a request."""
@@ -60,7 +60,7 @@ class TabletPage:
             return self._download("application/x-apple-aspen-config", name)
         if name == "bodydrive-authority.crt":
             return self._download("application/x-x509-ca-cert", name)
-        files = self._files()
+        files = self._files[current_language()]
         if name not in files:
             return PlainTextResponse(NOTHING_ELSE, 404)
         file = files[name]
@@ -68,13 +68,6 @@ class TabletPage:
         if name == PAGE:
             headers["Content-Security-Policy"] = POLICY.format(https=link.rstrip("/"))
         return Response(file.content, headers=headers)
-
-    def _files(self) -> dict[str, PageFile]:
-        """Return the files of the page in the language of the request."""
-        language = current_language()
-        if language not in self._of_language:
-            self._of_language[language] = read_entry(static_folder(), PAGE, language)
-        return self._of_language[language]
 
     def _host(self, headers: Headers) -> str | None:
         """Return the host by which the page was opened, None when the certificate does not name it."""

@@ -63,7 +63,7 @@ log-name-test = Zwei-Minuten-Test
 log-name-unused = nicht verwendete Sensoren
 log-name-with-keys = mit Schlüsseln
 # A detail of a row: its name and its value.
-log-detail = { $name }: { $value }
+log-detail = { $name } { $value }
 log-detail-patient = Patient { $number }
 log-dial = Temporegler auf { $share }
 log-value-every-patient = alle Patienten

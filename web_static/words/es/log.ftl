@@ -63,7 +63,7 @@ log-name-test = prueba de dos minutos
 log-name-unused = sensores sin usar
 log-name-with-keys = con claves
 # A detail of a row: its name and its value.
-log-detail = { $name }: { $value }
+log-detail = { $name } { $value }
 log-detail-patient = paciente { $number }
 log-dial = selector de velocidad al { $share }
 log-value-every-patient = todos los pacientes
