@@ -4,7 +4,7 @@ import { pathToFileURL } from "node:url";
 
 const folder = process.argv[2];
 const { LANGUAGE } = await import(pathToFileURL(`${folder}/language.js`));
-const { jointLabel, jointWithin, labelsOf, sensorName, sensorWithin } = await import(
+const { jointLabel, jointWithin, labelsOf, labelWords, sensorName, sensorWithin } = await import(
   pathToFileURL(`${folder}/widgets/joint_words.js`)
 );
 const { gestureWithin, gestureWords, withLabels } = await import(pathToFileURL(`${folder}/widgets/gestures.js`));
@@ -43,6 +43,7 @@ for (const own of [
 ])
   assert.deepEqual([jointLabel(own), jointWithin(own)], [own.label, own.label]);
 
+assert.deepEqual([labelWords("Right elbow"), labelWords("Head")], [alone, "Head"]);
 assert.equal(sensorName("right_elbow_3"), sensor);
 assert.equal(sensorWithin("right_elbow_3"), sensor.replace(alone, within));
 assert.equal(sensorName("C7_left"), "C7 left");

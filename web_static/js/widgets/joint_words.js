@@ -17,6 +17,11 @@ export function jointWithin({ name, label }) {
   return isUsual(name, label) ? t(`joint-within-${name}`) : label;
 }
 
+/** A joint alone, of which only the label is known. @param {string} label */
+export function labelWords(label) {
+  return jointLabel({ name: label.toLowerCase().replaceAll(" ", "_"), label });
+}
+
 /** The labels of joints, by name. @param {readonly NamedJoint[]} joints @returns {Record<string, string>} */
 export function labelsOf(joints) {
   return Object.fromEntries(joints.map((joint) => [joint.name, jointLabel(joint)]));

@@ -5,6 +5,7 @@
 import { t } from "../../texts.js";
 import { anyOf, number, significant } from "../../widgets/format.js";
 import { TOGETHER } from "../../widgets/gestures.js";
+import { labelWords } from "../../widgets/joint_words.js";
 import { SPEEDS } from "../../widgets/speed_rows.js";
 
 const MOST_DIGITS = 9;
@@ -69,7 +70,8 @@ function boundWords(control, bindings) {
 }
 
 /** @param {NamedGesture} gesture */
-function named({ joint, direction }) {
+function named({ joint: label, direction }) {
+  const joint = labelWords(label);
   return direction === 1 ? joint : t("gesture-back", { joint });
 }
 
