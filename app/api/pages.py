@@ -1,4 +1,4 @@
-"""The files of the pages: read once, compressed, and kept by a browser under an address that names their version.
+"""The files of the pages: read once, compressed, kept by a browser under an address that names version and language.
 
 The pages of the folder docs/ stand under /docs/, where the "?" of a page leads.
 """
@@ -9,7 +9,7 @@ import json
 import posixpath
 import re
 from collections import defaultdict
-from collections.abc import Iterable
+from collections.abc import Iterable, Mapping, Sequence
 from functools import lru_cache
 from hashlib import sha256
 from itertools import pairwise
@@ -27,6 +27,7 @@ from starlette.types import ASGIApp, Receive, Scope, Send
 from starlette.websockets import WebSocketClose
 
 from app import __version__
+from app.texts import ENGLISH, LANGUAGES, current_language
 
 KINDS: Final = {
     ".css": "text/css; charset=utf-8",
@@ -42,16 +43,19 @@ FOR_EVER: Final = "public, max-age=31536000, immutable"
 ASK_AGAIN: Final = "no-cache"  # a browser asks each time whether its copy is still good
 
 WORDS: Final = "words"  # the folder of the messages in Fluent: words/LANGUAGE/*.ftl
-LANGUAGES: Final = ("en",)  # that the pages offer
+IN_ENTRIES: Final = "entries"  # the file of messages that stand in entries; each of them is one line
 ALONE: Final = frozenset({"help", "tablet"})  # files of messages that are loaded only where they are shown
 SHARED: Final = "pages"  # the module with the messages of all other files
+LANGUAGE_MODULE: Final = "js/language.js"  # says the language of the pages
 
 DOCS_LIST: Final = "README"  # of docs/, the page that lists all others
 MARKDOWN: Final = ".md"
 DOCS_KINDS: Final = {".webp": "image/webp"}  # of files beside the pages; all others are plain text
 NO_DOCS_PAGE: Final = "There is no page of this name: the list of all pages is at /docs/."
 
-VERSION: Final = re.compile(r"v-([0-9a-f]+)/")
+VERSION: Final = re.compile(r"v-([0-9a-f]+)-([A-Za-z-]+)/")
+MESSAGE: Final = re.compile(r"^([a-z][\w-]*) = (.+)$", re.MULTILINE)
+IN_ENTRY: Final = re.compile(r"\{ ([a-z][\w-]*) \}")  # stands for a message, or for the language
 LINK: Final = re.compile(r'(href|src)="([a-z][^":]+)"')
 STYLE: Final = re.compile(r'<link rel="stylesheet" href="([^"]+)">')
 STYLES: Final = re.compile(r'(?:^ *<link rel="stylesheet" href="[^"]+">\n)+', re.MULTILINE)
@@ -69,30 +73,60 @@ class PageFile(NamedTuple):
     compressed: bytes  # in gzip
 
 
-class Pages:
-    """ASGI application that answers with the files of a folder.
+class PageFiles:
+    """Files by their names, each compressed at once or when it is first asked for."""
 
-    An entry (an HTML file) names its styles, joined to one file, and its script under `/v-VERSION/`, and the modules
-    that this imports in turn, so that a browser loads all of them at once and keeps them until the version changes.
-    Under any other address, also that of an earlier version, a file is the present one, and a browser asks again each
-    time.
+    def __init__(self, contents: dict[str, bytes], *, is_at_once: bool) -> None:
+        self._contents = contents
+        self._files = {
+            name: _page_file(name, content)
+            for name, content in contents.items()
+            if is_at_once and len(content) <= LARGE
+        }
+
+    def __contains__(self, name: str) -> bool:
+        return name in self._contents
+
+    def text(self, name: str) -> str:
+        """Return a file as it is sent."""
+        return self._contents[name].decode()
+
+    async def file(self, name: str) -> PageFile:
+        """Return a file."""
+        if name not in self._files:
+            self._files[name] = await run_in_threadpool(_page_file, name, self._contents[name])
+        return self._files[name]
+
+
+class Pages:
+    """ASGI application that answers with the files of a folder, in one of the languages.
+
+    An entry (an HTML file) is in the language of the request. It names its styles, joined to one file, and its script
+    under `/v-VERSION-LANGUAGE/`, and the modules that this imports in turn, so that a browser loads all of them at once
+    and keeps them until the version changes. Under any other address, also that of an earlier version, a file is the
+    present one, and a browser asks again each time.
     """
 
-    def __init__(self, folder: Path) -> None:
+    def __init__(self, folder: Path, languages: Sequence[str] = LANGUAGES) -> None:
         files = sorted(file for file in folder.rglob("*") if file.suffix in KINDS)
-        contents = {file.relative_to(folder).as_posix(): file.read_bytes() for file in files}
-        contents |= word_modules(folder)
-        digest = sha256(__version__.encode())
-        for name, content in contents.items():
-            digest.update(f"{name} {len(content)} ".encode() + content)
-        self.version = digest.hexdigest()[:16]
-        for name in [name for name in contents if name.endswith(".html")]:
-            text = contents[name].decode()
+        shared = {file.relative_to(folder).as_posix(): file.read_bytes() for file in files}
+        entries = {name: shared.pop(name).decode() for name in list(shared) if name.endswith(".html")}
+        by_language = {language: language_files(folder, language) for language in languages}
+        words = {language: _entry_words(folder, language) for language in languages}
+        self.version = _version([shared, entries, *by_language.values(), *words.values()])
+        for name, text in entries.items():
             styles = f"{name.removesuffix('.html')}.css"
-            contents[styles] = b"".join(contents[style] for style in STYLE.findall(text))
-            contents[name] = self._entry(text, styles, _needed([*ENTRY.findall(text), *FIRST.get(name, [])], contents))
-        self._large = {name: contents.pop(name) for name in list(contents) if len(contents[name]) > LARGE}
-        self._files = {name: _page_file(name, content) for name, content in contents.items()}
+            needed = _needed([*ENTRY.findall(text), *FIRST.get(name, [])], shared | by_language[ENGLISH])
+            shared[styles] = b"".join(shared[style] for style in STYLE.findall(text))
+            for language in languages:
+                entry = self._entry(text, styles, needed, language)
+                by_language[language][name] = _with_words(entry, words[language]).encode()
+        self._of_language = {
+            language: PageFiles(contents, is_at_once=language == ENGLISH) for language, contents in by_language.items()
+        }
+        self._shared = PageFiles(
+            {name: content for name, content in shared.items() if name != LANGUAGE_MODULE}, is_at_once=True
+        )
 
     async def __call__(self, scope: Scope, receive: Receive, send: Send) -> None:
         """Answer a request for a file."""
@@ -101,44 +135,37 @@ class Pages:
             return
         if scope["method"] not in {"GET", "HEAD"}:
             raise HTTPException(405)
-        name, version = _name_and_version(scope["path"])
-        file = await self._file(name)
-        await self._answer(file, Headers(scope=scope), is_present=version == self.version)(scope, receive, send)
+        address = _address(scope["path"])
+        language = address.language if address.language in self._of_language else current_language()
+        files = self._files(address.name, language)
+        if address.name not in files:
+            raise HTTPException(404)
+        is_present = address.version == self.version and address.language == language
+        headers = {
+            "Cache-Control": FOR_EVER if is_present else ASK_AGAIN,
+            "ETag": f'W/"{self.version}-{language}"',
+            "Vary": "Accept-Encoding" if address.language == language else "Accept-Encoding, Accept-Language, Cookie",
+        }
+        answer = _answer(await files.file(address.name), Headers(scope=scope), headers)
+        await answer(scope, receive, send)
 
     def is_asked_for(self, scope: Scope) -> bool:
         """Return whether a request is for a file under the address of a version."""
         if scope["type"] != "http" or scope["method"] != "GET":
             return False
-        name, version = _name_and_version(scope["path"])
-        return version is not None and name in self._files
+        name, version, _ = _address(scope["path"])
+        return version is not None and name in self._files(name, ENGLISH)
 
-    def text(self, name: str) -> str:
+    def text(self, name: str, language: str = ENGLISH) -> str:
         """Return a file as it is sent."""
-        return self._files[name].content.decode()
+        return self._files(name, language).text(name)
 
-    async def _file(self, name: str) -> PageFile:
-        if name in self._large and name not in self._files:
-            self._files[name] = await run_in_threadpool(_page_file, name, self._large[name])
-        if name not in self._files:
-            raise HTTPException(404)
-        return self._files[name]
+    def _files(self, name: str, language: str) -> PageFiles:
+        of_language = self._of_language[language]
+        return of_language if name in of_language else self._shared
 
-    def _answer(self, file: PageFile, asked: Headers, *, is_present: bool) -> Response:
-        tag = f'W/"{self.version}"'
-        headers = {
-            "Cache-Control": FOR_EVER if is_present else ASK_AGAIN,
-            "Content-Type": file.kind,
-            "ETag": tag,
-            "Vary": "Accept-Encoding",
-        }
-        if asked.get("if-none-match") == tag:
-            return Response(status_code=304, headers=headers)
-        if "gzip" not in asked.get("accept-encoding", ""):
-            return Response(file.content, headers=headers)
-        return Response(file.compressed, headers={**headers, "Content-Encoding": "gzip"})
-
-    def _entry(self, text: str, styles: str, modules: list[str]) -> bytes:
-        """Return an entry with one link to its joined styles, all addresses of this version.
+    def _entry(self, text: str, styles: str, modules: list[str], language: str) -> str:
+        """Return an entry with one link to its joined styles, all addresses of this version and language.
 
         Its script, with links to the modules, stands in a template: the browser draws the entry's own words first.
         """
@@ -146,14 +173,39 @@ class Pages:
         scripts = "".join(match[0] for match in ENTRY.finditer(text))
         joined = STYLES.sub(f'  <link rel="stylesheet" href="{styles}">\n', text)
         joined = ENTRY.sub(BEGINNING, joined).replace("</body>", PROGRAM.format(preloads + scripts))
-        return LINK.sub(rf'\1="/v-{self.version}/\2"', joined).encode()
+        return LINK.sub(rf'\1="/v-{self.version}-{language}/\2"', joined)
 
 
-def _name_and_version(path: str) -> tuple[str, str | None]:
-    """Return the name of the file at a path, and the version that the path names, None for none."""
+class Address(NamedTuple):
+    """What the path of a request names."""
+
+    name: str  # of a file
+    version: str | None
+    language: str | None
+
+
+def _address(path: str) -> Address:
     name = path.lstrip("/") or "index.html"
     version = VERSION.match(name)
-    return (name[version.end() :], version[1]) if version else (name, None)
+    return Address(name[version.end() :], version[1], version[2]) if version else Address(name, None, None)
+
+
+def _version(parts: Iterable[Mapping[str, bytes | str]]) -> str:
+    """Return what changes when the program's version or a file changes."""
+    digest = sha256(__version__.encode())
+    for name, content in (item for part in parts for item in part.items()):
+        written = content.encode() if isinstance(content, str) else content
+        digest.update(f"{name} {len(written)} ".encode() + written)
+    return digest.hexdigest()[:16]
+
+
+def _answer(file: PageFile, asked: Headers, headers: dict[str, str]) -> Response:
+    headers = {**headers, "Content-Type": file.kind}
+    if asked.get("if-none-match") == headers["ETag"]:
+        return Response(status_code=304, headers=headers)
+    if "gzip" not in asked.get("accept-encoding", ""):
+        return Response(file.content, headers=headers)
+    return Response(file.compressed, headers={**headers, "Content-Encoding": "gzip"})
 
 
 class PagesFirst:
@@ -172,11 +224,11 @@ class PagesFirst:
         await app(scope, receive, send)
 
 
-def read_entry(folder: Path, entry: str) -> dict[str, PageFile]:
-    """Return an entry (an HTML file) and the files that it needs, by their names, as they are."""
-    text = (folder / entry).read_text()
+def read_entry(folder: Path, entry: str, language: str) -> dict[str, PageFile]:
+    """Return an entry (an HTML file) and the files that it needs, by their names, in a language."""
+    text = _with_words((folder / entry).read_text(), _entry_words(folder, language))
     styles = [name for kind, name in LINK.findall(text) if kind == "href"]
-    words, scripts = word_modules(folder), dict[str, bytes]()
+    words, scripts = language_files(folder, language), dict[str, bytes]()
     waiting = ENTRY.findall(text)
     while waiting:
         name = waiting.pop()
@@ -187,20 +239,37 @@ def read_entry(folder: Path, entry: str) -> dict[str, PageFile]:
     return {name: _page_file(name, content) for name, content in contents.items()}
 
 
-def word_modules(folder: Path) -> dict[str, bytes]:
-    """Return the modules with the messages of the pages, by their names (`words/en/pages.ftl.js`).
+def language_files(folder: Path, language: str) -> dict[str, bytes]:
+    """Return the modules that differ by language, by their names: the messages of the pages and `js/language.js`.
 
-    Each exports messages as one text, without the comments that are for translators. As a module they are imported,
-    have the pages' version and are loaded at once with the others, as nothing else would be.
+    A module of messages (`words/pages.ftl.js`) exports them as one text, without the comments that are for translators.
+    As a module they are imported, have the pages' version and are loaded at once with the others, as nothing else would
+    be.
     """
     parts: dict[str, list[str]] = defaultdict(list)
-    for language in LANGUAGES:
-        for file in sorted((folder / WORDS / language).glob("*.ftl")):
-            module = file.stem if file.stem in ALONE else SHARED
-            lines = file.read_text(encoding="utf-8").splitlines()
-            parts[f"{WORDS}/{language}/{module}.ftl.js"] += [line for line in lines if not line.startswith("#")]
+    for file in sorted((folder / WORDS / language).glob("*.ftl")):
+        if file.stem == IN_ENTRIES:
+            continue
+        module = file.stem if file.stem in ALONE else SHARED
+        lines = file.read_text(encoding="utf-8").splitlines()
+        parts[f"{WORDS}/{module}.ftl.js"] += [line for line in lines if not line.startswith("#")]
     texts = {name: json.dumps("\n".join(lines), ensure_ascii=False) for name, lines in parts.items()}
-    return {name: f"export default {text};\n".encode() for name, text in texts.items()}
+    modules = {name: f"export default {text};\n".encode() for name, text in texts.items()}
+    source = folder / LANGUAGE_MODULE
+    if source.exists():
+        modules[LANGUAGE_MODULE] = source.read_bytes().replace(f'"{ENGLISH}"'.encode(), f'"{language}"'.encode())
+    return modules
+
+
+def _entry_words(folder: Path, language: str) -> dict[str, str]:
+    """Return the messages that stand in entries, and the language itself."""
+    file = folder / WORDS / language / f"{IN_ENTRIES}.ftl"
+    messages = MESSAGE.findall(file.read_text(encoding="utf-8")) if file.exists() else []
+    return {"language": language, **dict(messages)}
+
+
+def _with_words(entry: str, words: dict[str, str]) -> str:
+    return IN_ENTRY.sub(lambda place: html.escape(words[place[1]]), entry)
 
 
 def _page_file(name: str, content: bytes) -> PageFile:

@@ -17,6 +17,7 @@ from app.clock import utc_now
 from app.host.authority_files import apple_profile, root_pem
 from app.network import NetworkService
 from app.settings import static_folder
+from app.texts import LANGUAGES, current_language
 
 PAGE: Final = "tablet.html"
 HEADERS: Final = {
@@ -37,7 +38,7 @@ class TabletPage:
 
     def __init__(self, network: NetworkService) -> None:
         self._network = network
-        self._files = read_entry(static_folder(), PAGE)
+        self._files = {language: read_entry(static_folder(), PAGE, language) for language in LANGUAGES}
 
     async def __call__(self, scope: Scope, receive: Receive, send: Send) -> None:
         """Answer a request."""
@@ -59,10 +60,11 @@ class TabletPage:
             return self._download("application/x-apple-aspen-config", name)
         if name == "bodydrive-authority.crt":
             return self._download("application/x-x509-ca-cert", name)
-        if name not in self._files:
+        files = self._files[current_language()]
+        if name not in files:
             return PlainTextResponse(NOTHING_ELSE, 404)
-        file = self._files[name]
-        headers = {"Content-Type": file.kind, "Cache-Control": ASK_AGAIN}
+        file = files[name]
+        headers = {"Content-Type": file.kind, "Cache-Control": ASK_AGAIN, "Vary": "Accept-Language, Cookie"}
         if name == PAGE:
             headers["Content-Security-Policy"] = POLICY.format(https=link.rstrip("/"))
         return Response(file.content, headers=headers)

@@ -7,10 +7,13 @@ from typing import Any
 
 import pytest
 from starlette.applications import Starlette
+from starlette.datastructures import Headers
 from starlette.testclient import TestClient
+from starlette.types import ASGIApp, Receive, Scope, Send
 
-from app.api.pages import Pages, PagesFirst, read_entry, word_modules
+from app.api.pages import Pages, PagesFirst, language_files, read_entry
 from app.settings import static_folder
+from app.texts import reader_language
 
 ENTRY = """<!doctype html>
 <head>
@@ -57,7 +60,7 @@ def client(pages: Pages) -> Any:
 
 
 def test_an_entry_names_its_styles_and_every_module_once_in_this_version(pages: Pages, client: Any) -> None:
-    at = f"/v-{pages.version}"
+    at = f"/v-{pages.version}-en"
     modules = "".join(
         f'  <link rel="modulepreload" href="{at}/js/{name}.js">\n'
         for name in ("main", "one", "deep/two", "pages/drive/drive")
@@ -79,13 +82,13 @@ def test_an_entry_names_its_styles_and_every_module_once_in_this_version(pages: 
 
 
 def test_a_file_of_this_version_is_never_asked_for_again(pages: Pages, client: Any) -> None:
-    answer = client.get(f"/v-{pages.version}/js/main.js")
+    answer = client.get(f"/v-{pages.version}-en/js/main.js")
     assert answer.text == FILES["js/main.js"]
     assert answer.headers["content-type"] == "text/javascript; charset=utf-8"
     assert answer.headers["cache-control"] == "public, max-age=31536000, immutable"
 
 
-@pytest.mark.parametrize("path", ["/", "/js/main.js", "/v-0123456789abcdef/js/main.js"])
+@pytest.mark.parametrize("path", ["/", "/js/main.js", "/v-0123456789abcdef-en/js/main.js"])
 def test_an_entry_and_any_other_address_are_asked_for_each_time(client: Any, path: str) -> None:
     answer = client.get(path)
     assert (answer.status_code, answer.headers["cache-control"]) == (200, "no-cache")
@@ -106,10 +109,12 @@ def test_a_browser_that_can_unpack_gets_it_packed(client: Any) -> None:
     assert packed.headers["content-encoding"] == "gzip"
     assert "content-encoding" not in plain.headers
     assert packed.content == plain.content == FILES["css/one.css"].encode()
-    assert {answer.headers["vary"] for answer in (packed, plain)} == {"Accept-Encoding"}
+    assert packed.headers["vary"] == plain.headers["vary"] == "Accept-Encoding, Accept-Language, Cookie"
 
 
-@pytest.mark.parametrize("path", ["/notes.txt", "/js", "/js/", "/../secret", "/v-1/", "/v-x/js/main.js", "/%00"])
+@pytest.mark.parametrize(
+    "path", ["/notes.txt", "/js", "/js/", "/../secret", "/v-1-en/", "/v-x/js/main.js", "/v-1/js/main.js", "/%00"]
+)
 def test_what_is_no_file_of_the_pages_is_not_there(client: Any, path: str) -> None:
     assert client.get(path).status_code == 404
 
@@ -125,7 +130,7 @@ def test_a_script_of_others_is_compressed_when_it_is_first_asked_for(tmp_path: P
     app.mount("/", pages)
     with TestClient(app) as client:
         for _ in range(2):
-            answer = client.get(f"/v-{pages.version}/vendor/charts.js")
+            answer = client.get(f"/v-{pages.version}-en/vendor/charts.js")
             assert (answer.status_code, answer.text) == (200, "draw()")
         assert client.get("/vendor/charts-LICENSE.txt").status_code == 404
     assert Pages(put(tmp_path, **{"vendor/charts.js": "draw(2)"})).version != pages.version
@@ -142,46 +147,133 @@ def test_every_module_that_a_page_imports_is_preloaded_and_there() -> None:
             assert {client.get(link).status_code for link in links} == {200}
 
 
+LANGUAGES = ("en", "es")
+IN_SPANISH = {"Cookie": "language=es"}
 MESSAGES = {
     "words/en/a.ftl": '### For translators\n\n# why\none = "One" – {" "}\n    # two\n',
     "words/en/b.ftl": "two = Two\n",
+    "words/en/entries.ftl": "# why\nstarting = One <moment>\n",
     "words/en/help.ftl": "help-one = Help\n",
-    "words/es/b.ftl": "two = Dos\n",  # a language that no page offers yet
-    "js/main.js": 'import messages from "../words/en/pages.ftl.js";\n',
+    "words/es/b.ftl": "two = Dos\n",
+    "words/es/entries.ftl": "starting = Un momento\n",
+    "words/es/help.ftl": "help-one = Ayuda\n",
+    "js/language.js": 'export const LANGUAGE = "en";\n',
+    "js/main.js": 'import messages from "../words/pages.ftl.js";\nimport "./language.js";\n',
+    "index.html": ENTRY.replace("<head>", '<html lang="{ language }">\n<head>').replace(
+        "<body>", "<p>{ starting }</p>"
+    ),
 }
 
 
-def test_messages_are_modules_of_a_language_without_comments(tmp_path: Path) -> None:
-    made = word_modules(put(tmp_path, **MESSAGES))
-    texts = {name: json.loads(content.decode().removeprefix("export default ")[:-2]) for name, content in made.items()}
+class Cookies:
+    """Middleware that makes the language of the cookie that of the request."""
+
+    def __init__(self, app: ASGIApp) -> None:
+        self._app = app
+
+    async def __call__(self, scope: Scope, receive: Receive, send: Send) -> None:
+        cookie = Headers(scope=scope).get("cookie", "") if scope["type"] == "http" else ""
+        with reader_language(cookie.removeprefix("language=") or "en"):
+            await self._app(scope, receive, send)
+
+
+@pytest.fixture
+def translated(tmp_path: Path) -> Any:
+    """Return the pages in two languages, and a client."""
+    pages = Pages(put(tmp_path, **MESSAGES), LANGUAGES)
+    app = Starlette()
+    app.mount("/", pages)
+    app.add_middleware(Cookies)
+    with TestClient(app) as client:
+        yield pages, client
+
+
+def test_the_modules_of_a_language_have_its_messages_without_comments_and_its_name(tmp_path: Path) -> None:
+    modules = language_files(put(tmp_path, **MESSAGES), "en")
+    assert modules.pop("js/language.js") == b'export const LANGUAGE = "en";\n'
+    texts = {
+        name: json.loads(content.decode().removeprefix("export default ")[:-2]) for name, content in modules.items()
+    }
     assert texts == {
-        "words/en/pages.ftl.js": '\none = "One" – {" "}\n    # two\ntwo = Two',
-        "words/en/help.ftl.js": "help-one = Help",
+        "words/pages.ftl.js": '\none = "One" – {" "}\n    # two\ntwo = Two',
+        "words/help.ftl.js": "help-one = Help",
+    }
+    assert language_files(tmp_path, "es") == {
+        "words/pages.ftl.js": b'export default "two = Dos";\n',
+        "words/help.ftl.js": b'export default "help-one = Ayuda";\n',
+        "js/language.js": b'export const LANGUAGE = "es";\n',
     }
 
 
-def test_messages_are_loaded_with_what_imports_them_and_have_its_version(tmp_path: Path) -> None:
-    pages = Pages(put(tmp_path, **MESSAGES))
-    module = word_modules(tmp_path)["words/en/pages.ftl.js"]
-    assert f'"/v-{pages.version}/words/en/pages.ftl.js">' in pages.text("index.html")
+def test_an_entry_is_in_the_language_of_the_request_and_so_is_all_that_it_loads(translated: Any) -> None:
+    pages, client = translated
+    english, spanish = client.get("/"), client.get("/", headers=IN_SPANISH)
+    assert '<html lang="en">' in english.text
+    assert "<p>One &lt;moment&gt;</p>" in english.text
+    assert '<html lang="es">' in spanish.text
+    assert "<p>Un momento</p>" in spanish.text
+    assert english.text.count("/v-") == english.text.count(f'"/v-{pages.version}-en/') > 5
+    assert spanish.text.count("/v-") == spanish.text.count(f'"/v-{pages.version}-es/') > 5
+    assert {answer.headers["vary"] for answer in (english, spanish)} == {"Accept-Encoding, Accept-Language, Cookie"}
+    known = {"If-None-Match": english.headers["etag"]}
+    assert client.get("/", headers=known).status_code == 304
+    assert client.get("/", headers=known | IN_SPANISH).status_code == 200
+
+
+@pytest.mark.parametrize("asked", [{}, IN_SPANISH])
+def test_an_address_names_the_language_whoever_asks(translated: Any, asked: dict[str, str]) -> None:
+    pages, client = translated
+    for language, two in (("en", "Two"), ("es", "Dos")):
+        at = f"/v-{pages.version}-{language}"
+        words = client.get(f"{at}/words/pages.ftl.js", headers=asked)
+        assert two in words.text
+        assert words.headers["cache-control"] == "public, max-age=31536000, immutable"
+        assert words.headers["vary"] == "Accept-Encoding"
+        assert f'"{language}"' in client.get(f"{at}/js/language.js", headers=asked).text
+        assert client.get(f"{at}/css/one.css", headers=asked).text == FILES["css/one.css"]
+    other = client.get(f"/v-{pages.version}-fr/words/pages.ftl.js", headers=IN_SPANISH)
+    assert ("Dos" in other.text, other.headers["cache-control"]) == (True, "no-cache")
+
+
+def test_messages_are_loaded_with_what_imports_them_and_have_its_version(tmp_path: Path, translated: Any) -> None:
+    pages, client = translated
+    modules = language_files(tmp_path, "en")
+    assert f'"/v-{pages.version}-en/words/pages.ftl.js">' in pages.text("index.html")
     assert "help.ftl" not in pages.text("index.html")
-    assert pages.text("words/en/pages.ftl.js") == module.decode()
-    assert read_entry(tmp_path, "index.html")["words/en/pages.ftl.js"].content == module
-    assert Pages(put(tmp_path, **{"words/en/b.ftl": "two = Deux\n"})).version != pages.version
-    app = Starlette()
-    app.mount("/", pages)
-    with TestClient(app) as client:
-        assert client.get("/words/en/pages.ftl.js").headers["content-type"] == "text/javascript; charset=utf-8"
-        assert client.get("/words/en/b.ftl").status_code == 404
+    assert pages.text("words/pages.ftl.js").encode() == modules["words/pages.ftl.js"]
+    answer = client.get("/words/pages.ftl.js")
+    assert answer.headers["content-type"] == "text/javascript; charset=utf-8"
+    assert client.get("/words/en/b.ftl").status_code == client.get("/words/entries.ftl.js").status_code == 404
+    for name in ("words/en/b.ftl", "words/es/b.ftl", "words/es/entries.ftl"):
+        put(tmp_path, **MESSAGES | {name: MESSAGES[name] + "three = 3\n"})
+        assert Pages(tmp_path, LANGUAGES).version != pages.version
+
+
+def test_an_entry_is_read_in_a_language(tmp_path: Path) -> None:
+    read = read_entry(put(tmp_path, **MESSAGES), "index.html", "es")
+    assert b"Un momento" in read["index.html"].content
+    assert {name: read[name].content for name in ("words/pages.ftl.js", "js/language.js")} == {
+        name: content for name, content in language_files(tmp_path, "es").items() if "help" not in name
+    }
+
+
+def test_each_folder_of_messages_is_a_language_that_pages_can_be_in() -> None:
+    languages = sorted(folder.name for folder in (static_folder() / "words").iterdir())
+    pages = Pages(static_folder(), languages)
+    for language in languages:
+        for entry in static_folder().glob("*.html"):
+            text = pages.text(entry.name, language)
+            assert f'<html lang="{language}">' in text
+            assert "{" not in text
 
 
 def test_no_route_is_looked_through_for_a_file_of_a_version(pages: Pages) -> None:
     app = Starlette()
     app.add_middleware(PagesFirst, pages=pages)  # there is no route at all
     with TestClient(app) as client:
-        at = f"/v-{pages.version}"
+        at = f"/v-{pages.version}-en"
         assert client.get(f"{at}/js/one.js").text == FILES["js/one.js"]
-        assert client.get("/v-0/js/one.js").headers["cache-control"] == "no-cache"
+        assert client.get("/v-0-en/js/one.js").headers["cache-control"] == "no-cache"
         for other in ("/js/one.js", f"{at}/js/three.js", f"{at}/notes.txt", "/"):
             assert client.get(other).status_code == 404
         assert client.post(f"{at}/js/one.js").status_code == 404

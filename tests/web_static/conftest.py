@@ -4,6 +4,7 @@ import json
 import shutil
 import subprocess
 from collections.abc import Callable
+from functools import cache
 from pathlib import Path
 from typing import Any
 
@@ -11,20 +12,26 @@ import pytest
 from served_reference import served_reference
 
 from api_types import NODE
-from app.api.pages import word_modules
+from app.api.pages import language_files
 from app.settings import static_folder
 
 
 @pytest.fixture(scope="session")
-def modules(tmp_path_factory: pytest.TempPathFactory) -> Path:
-    """Copies of web_static/js, of what it imports and the modules of messages, beside a package.json for node."""
-    folder = tmp_path_factory.mktemp("modules")
-    (folder / "package.json").write_text('{"type": "module"}')
-    shutil.copytree(static_folder() / "vendor", folder / "vendor")
-    for name, content in word_modules(static_folder()).items():
-        (folder / name).parent.mkdir(parents=True, exist_ok=True)
-        (folder / name).write_bytes(content)
-    return Path(shutil.copytree(static_folder() / "js", folder / "js"))
+def modules_of(tmp_path_factory: pytest.TempPathFactory) -> Callable[[str], Path]:
+    """Copies of web_static/js, of what it imports and the modules of a language, beside a package.json for node."""
+
+    @cache
+    def copied(language: str) -> Path:
+        folder = tmp_path_factory.mktemp("modules")
+        (folder / "package.json").write_text('{"type": "module"}')
+        shutil.copytree(static_folder() / "vendor", folder / "vendor")
+        scripts = Path(shutil.copytree(static_folder() / "js", folder / "js"))
+        for name, content in language_files(static_folder(), language).items():
+            (folder / name).parent.mkdir(parents=True, exist_ok=True)
+            (folder / name).write_bytes(content)
+        return scripts
+
+    return copied
 
 
 @pytest.fixture(scope="session")
@@ -36,11 +43,11 @@ def reference_file(tmp_path_factory: pytest.TempPathFactory) -> Path:
 
 
 @pytest.fixture(scope="session")
-def run_script(modules: Path) -> Callable[..., str]:
+def run_script(modules_of: Callable[[str], Path]) -> Callable[..., str]:
     """Run a script of this folder, or of one below, with the folder of the modules, and return what it prints."""
 
-    def run(name: str, *arguments: Path) -> str:
-        command = [NODE, Path(__file__).parent / name, modules, *arguments]
+    def run(name: str, *arguments: Path, language: str = "en") -> str:
+        command = [NODE, Path(__file__).parent / name, modules_of(language), *arguments]
         done = subprocess.run(command, capture_output=True, text=True, timeout=60, check=False)
         assert done.returncode == 0, done.stderr
         return done.stdout

@@ -8,6 +8,7 @@ from typing import Final
 from folders import ROOT
 
 WORDS: Final = ROOT / "web_static" / "words"
+LANGUAGES: Final = sorted(folder.name for folder in WORDS.iterdir())
 SCRIPTS: Final = ROOT / "web_static" / "js"
 BEGINNING: Final = re.compile(r"^([a-zA-Z][\w-]*) *=", re.MULTILINE)
 VARIABLE: Final = re.compile(r"\{ *\$(\w+)")
@@ -16,7 +17,7 @@ LITERAL: Final = re.compile(r'"([^"\n]*)"')
 TEMPLATE: Final = re.compile(r"`((?:[\w-]+|\$\{[^{}`]*\})+)`")
 VALUE: Final = re.compile(r"\$\{[^{}`]*\}")
 COMPARED: Final = re.compile(r'[=!]== "[^"\n]*"')
-CALL: Final = re.compile(r"(?<![\w.])(?:t|hasText)\(")
+CALL: Final = re.compile(r"(?<![\w.])(?:t|textWith|hasText)\(")
 
 
 def ids_of(file: Path) -> list[str]:
@@ -66,7 +67,7 @@ def scripts() -> dict[str, str]:
 
 
 def asked_for(script: str) -> Iterator[str]:
-    """Yield the first argument of each call of t() and hasText() in a module."""
+    """Yield the first argument of each call of t(), textWith() and hasText() in a module."""
     for call in CALL.finditer(script):
         depth, at = 1, call.end()
         while depth and not (depth == 1 and script[at] == ","):

@@ -7,6 +7,7 @@ from collections import Counter
 import pytest
 from web_static.messages import (
     COMPARED,
+    LANGUAGES,
     LITERAL,
     TEMPLATE,
     WORDS,
@@ -19,13 +20,12 @@ from web_static.messages import (
     values_of_language,
 )
 
-from app.api.pages import ALONE
+from app.api.pages import ALONE, IN_ENTRIES, IN_ENTRY
 from folders import ROOT
 
 # Of classes without a style, of an event, of an element, and of formats that the server names.
 OTHER_NAMES = {"sign-in", "adapt-nothing", "trial-view", "plan-files", "shirt-key", "signal-file"}
 CONTROLS = {"u1-plus", "u1-minus", "u2-plus", "u2-minus"}
-LANGUAGES = sorted(folder.name for folder in WORDS.iterdir())
 BY_FILE = ids_of_language()
 ALL = set().union(*BY_FILE.values())
 SCRIPTS = scripts()
@@ -38,7 +38,7 @@ def catalogue_of(script: str) -> str:
 
 def ids_for(script: str) -> set[str]:
     alone = catalogue_of(script)
-    return BY_FILE[alone] if alone else ALL - set().union(*(BY_FILE[name] for name in ALONE))
+    return BY_FILE[alone] if alone else ALL - set().union(*(BY_FILE[name] for name in {*ALONE, IN_ENTRIES}))
 
 
 @pytest.mark.parametrize("language", LANGUAGES)
@@ -47,6 +47,15 @@ def test_an_id_has_one_message_and_the_form_of_an_id(language):
     assert len(count) > 1000
     assert [name for name, times in count.items() if times > 1] == []
     assert [name for name in count if name != id_of(name)] == []
+
+
+@pytest.mark.parametrize("language", LANGUAGES)
+def test_the_messages_of_entries_stand_there_and_are_lines_without_values(language):
+    entries = "".join(file.read_text() for file in (ROOT / "web_static").glob("*.html"))
+    file = WORDS / language / f"{IN_ENTRIES}.ftl"
+    assert set(ids_of(file)) | {"language"} == set(IN_ENTRY.findall(entries))
+    lines = file.read_text(encoding="utf-8").splitlines()
+    assert [line for line in lines if "{" in line or line.startswith(" ")] == []
 
 
 @pytest.mark.parametrize("language", LANGUAGES)
@@ -106,7 +115,7 @@ def test_no_message_is_left_over():
     texts = [file.read_text() for file in (ROOT / "app").rglob("*.py")] + list(SCRIPTS.values())
     words = set().union(*(LITERAL.findall(text) + re.findall(r"\w+", text) for text in texts))
     values = {id_of(word) for word in words} | {id_of(word.lower()) for word in words} | {"", *CONTROLS} | ALL
-    named = set().union(*(LITERAL.findall(script) for script in SCRIPTS.values()))
+    named = BY_FILE[IN_ENTRIES].union(*(LITERAL.findall(script) for script in SCRIPTS.values()))
     templates = {each for script in SCRIPTS.values() for each in TEMPLATE.findall(script) if "-" in each}
     left = {name for name in ALL - named if not any(is_made_by(each, name, values) for each in templates)}
     assert left == set()

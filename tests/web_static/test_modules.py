@@ -1,6 +1,7 @@
 """What single modules of the pages do; each script runs some of them in node, without a page."""
 
 import pytest
+from web_static.messages import LANGUAGES
 
 SCRIPTS = {
     "charts/curve_marks": "sessions and versions of the map stand where they belong along a learning curve",
@@ -8,7 +9,6 @@ SCRIPTS = {
     "cue_motion": "where reduced motion is preferred, the cue changes in steps and does not glide",
     "device": "the page that connects a device knows which one it is",
     "editor_logic": "the floor plan editor changes documents by its tools, and takes changes back",
-    "formats": "times, days and sizes are written",
     "moment_word": "the patient's screen has a large word for every end of a trial",
     "page_help": "every page says what it is for in three sentences, and has a drawing",
     "pages/first_path": "review begins with a task that can be compared, and says what counts",
@@ -26,3 +26,10 @@ SCRIPTS = {
 def test_it_holds(run_script, reference_file, monkeypatch, script):
     monkeypatch.setenv("TZ", "America/New_York")
     assert " hold" in run_script(f"{script}.mjs", reference_file), SCRIPTS[script]
+
+
+@pytest.mark.parametrize("language", LANGUAGES)
+@pytest.mark.parametrize("script", ["formats", "joint_words"])
+def test_numbers_lists_times_and_joints_are_written_as_the_language_does(run_script, monkeypatch, script, language):
+    monkeypatch.setenv("TZ", "America/New_York")
+    assert " hold" in run_script(f"{script}.mjs", language=language)

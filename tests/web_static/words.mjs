@@ -4,7 +4,7 @@ import assert from "node:assert/strict";
 const [folder] = process.argv.slice(2);
 const { catalogue } = await import(`${folder}/words.js`);
 
-const { t, hasText } = catalogue(`
+const { t, textWith, hasText } = catalogue(`
 plain = Plain
 value = { $a }, { $b }
 trials =
@@ -12,6 +12,7 @@ trials =
         [one] { $count } trial
        *[other] { $count } trials
     }
+ends = It ends in { $left } s.
 end-by-hand = by hand
 control-u1-plus = forwards
 control-u1-minus = back
@@ -30,6 +31,7 @@ assert.deepEqual(
   [0, 1, 2, 1.5, 1000].map((count) => t("trials", { count })),
   ["0 trials", "1 trial", "2 trials", "1.5 trials", "1000 trials"],
 );
+assert.deepEqual(textWith("ends", "left", 0.5), ["It ends in ", 0.5, " s."]);
 for (const [id, text] of [
   [`end-${"by hand"}`, "by hand"],
   [`control-${"u1+"}`, "forwards"],

@@ -1,2 +1,2 @@
-/** The language of the pages: the folder of its texts, and how numbers and dates are written. */
+/** The language of the pages, in which app/api/pages.py serves this module: how texts, numbers and dates are written. */
 export const LANGUAGE = "en";

@@ -2,7 +2,6 @@
  * The page that a share link opens: a PIN, then the story and the figures of one patient. One answer holds all of it.
  * @import { SharedView, StoryView, TaskLearning } from "types/api"
  */
-import { LANGUAGE } from "./language.js";
 import { t } from "./texts.js";
 import { areaCurve } from "./charts/area_curve.js";
 import { day, number } from "./widgets/format.js";
@@ -180,7 +179,6 @@ function storyCard(story) {
   return h("section", {}, h("h2", {}, t("share-session", { number: story.number })), storyParts(story));
 }
 
-document.documentElement.lang = LANGUAGE;
 followSystem();
 main.before(h("header", {}, h("span", {}, t("app-name")), helpButton()));
 show();

@@ -5,6 +5,7 @@ import { LANGUAGE } from "./language.js";
 /** @typedef {Record<string, string | number | null | undefined>} Values */
 
 const AS_WRITTEN = { useGrouping: false, maximumFractionDigits: 20 }; // of numbers: who gives one has rounded it
+const PLACE = "\uFFFC"; // Unicode's sign for an object within a text
 const MISSING = /\{\$\w+\}/g; // what stands for a value that was not given
 
 /**
@@ -18,23 +19,32 @@ export function catalogue(messages) {
   /** @param {string} id */
   const find = (id) => bundle.getMessage(id) ?? bundle.getMessage(idOf(id));
 
-  return {
-    /**
-     * Return the text of a message with its values put in, the id where there is none; no value stands for no words.
-     * @param {string} id @param {Values} [values]
-     */
-    t(id, values = {}) {
-      const pattern = find(id)?.value;
-      if (pattern == null) return id;
-      /** @type {Error[]} */
-      const errors = [];
-      const text = bundle.formatPattern(pattern, argumentsOf(values), errors);
-      return errors.length ? text.replace(MISSING, "") : text;
-    },
-
-    /** Tell whether there is a message of this id. @param {string} id */
-    hasText: (id) => find(id) !== undefined,
+  /**
+   * Return the text of a message with its values put in, the id where there is none; no value stands for no words.
+   * @param {string} id @param {Values} [values]
+   */
+  const t = (id, values = {}) => {
+    const pattern = find(id)?.value;
+    if (pattern == null) return id;
+    /** @type {Error[]} */
+    const errors = [];
+    const text = bundle.formatPattern(pattern, argumentsOf(values), errors);
+    return errors.length ? text.replace(MISSING, "") : text;
   };
+
+  /**
+   * Return the text of a message with a node in the place of one value, as children of an element.
+   * @param {string} id @param {string} name of the value @param {Node} node @returns {(string | Node)[]}
+   */
+  const textWith = (id, name, node) => {
+    const [before, after = ""] = t(id, { [name]: PLACE }).split(PLACE);
+    return [before, node, after];
+  };
+
+  /** Tell whether there is a message of this id. @param {string} id */
+  const hasText = (id) => find(id) !== undefined;
+
+  return { t, textWith, hasText };
 }
 
 /**

@@ -43,7 +43,7 @@ def address_of(url):
 
 def path_of(url):
     """Return the path of a request without the version of the pages that stands in it."""
-    return re.sub(r"^/v-[0-9a-f]+", "", urlsplit(url).path)
+    return re.sub(r"^/v-[0-9a-f]+-[a-z]+", "", urlsplit(url).path)
 
 
 def documents_and_pages():

@@ -93,7 +93,7 @@ function trialTraces(rows, measure, colours) {
     x: some.map(({ number }) => number),
     y: some.map((row) => inUnit(measure, measured(row, measure))),
     customdata: some.map(({ id }) => id),
-    hovertemplate: `${t("review-trial")} %{x}: %{y:.${digits}f} ${unit}<extra></extra>`,
+    hovertemplate: overPoint(`%{y:.${digits}f} ${unit}`),
     ...more,
   });
   const other = rows.filter((row) => !comparable(measure, row));
@@ -118,12 +118,17 @@ function trialTraces(rows, measure, colours) {
   }
   if (other.length) {
     const marker = { color: faint(colours.text, 0.5), size: 9, symbol: "circle-open" };
-    const hovertemplate = `${t("review-trial")} %{x}: ${t("review-not-reached")}<extra></extra>`;
+    const hovertemplate = overPoint(t("review-not-reached"));
     // Their value is that of a part of the path: they stand below the others, whatever it is.
     const y = other.map(() => below(rows, measure));
     traces.push(trace(other, { mode: "markers", name: t("review-not-reached"), marker, hovertemplate, y }));
   }
   return traces;
+}
+
+/** What stands over a point, as a template of plotly. @param {string} value */
+function overPoint(value) {
+  return `${t("review-trial-point", { number: "%{x}", value })}<extra></extra>`;
 }
 
 /** Where the trials stand that cannot be compared: at 0, or at the lowest of the others. @param {LearningTrial[]} rows @param {string} measure */

@@ -1,6 +1,7 @@
 /** One small chart per joint with the traces of all its channels. */
 import { t } from "../texts.js";
 import { h } from "../widgets/dom.js";
+import { jointLabel } from "../widgets/joint_words.js";
 import { TraceCanvas } from "./traces.js";
 
 export const QUIET_SPAN = 16; // times the noise: so that a body at rest shows a calm line instead of magnified noise
@@ -13,7 +14,7 @@ export const QUIET_SPAN = 16; // times the noise: so that a body at rest shows a
 export function jointStrips(live, layout, signal) {
   const strips = layout.joints.map((joint) => {
     const indices = layout.channels.flatMap((channel, index) => (channel.joint === joint.name ? [index] : []));
-    const canvas = new TraceCanvas({ label: t("traces-label", { joint: joint.label, count: indices.length }) });
+    const canvas = new TraceCanvas({ label: t("traces-label", { joint: jointLabel(joint), count: indices.length }) });
     return { joint, indices, canvas };
   });
   live.addEventListener(
@@ -36,7 +37,12 @@ export function jointStrips(live, layout, signal) {
     "div",
     { class: "strips" },
     strips.map(({ joint, indices, canvas }) =>
-      h("div", { class: "strip" }, h("span", {}, joint.label, h("small", {}, String(indices.length))), canvas.element),
+      h(
+        "div",
+        { class: "strip" },
+        h("span", {}, jointLabel(joint), h("small", {}, String(indices.length))),
+        canvas.element,
+      ),
     ),
   );
 }

@@ -1,6 +1,7 @@
 /** plotly, loaded from the server when the first chart is drawn; its colours follow the theme. */
 import { t } from "../texts.js";
 import { h } from "../widgets/dom.js";
+import { POINT } from "../widgets/format.js";
 import { palette } from "../shell/theme.js";
 
 const SCRIPT = new URL("../../vendor/plotly.js-basic-dist-min/plotly-basic.min.js", import.meta.url).href;
@@ -91,6 +92,7 @@ function frame(colours) {
     font: { family: "system-ui, sans-serif", size: 13, color: colours["text-quiet"] },
     margin: { l: 56, r: 12, t: 8, b: 44 },
     legend: { orientation: "h", traceorder: "normal", x: 0, y: 1.02, yanchor: "bottom" },
+    separators: POINT,
     hoverlabel: { bgcolor: colours.panel, bordercolor: colours.border, font: { color: colours.text } },
   };
 }

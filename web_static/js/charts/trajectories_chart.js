@@ -33,7 +33,7 @@ export function trajectoriesChart(driven, plan, signal) {
           width: i === newest ? 3 : 1.5,
         },
         name: t(i === newest ? "review-newest" : "review-earlier"),
-        hovertemplate: `${t("review-trial")} ${one.number}<extra></extra>`,
+        hovertemplate: `${t("review-trial-line", { number: one.number })}<extra></extra>`,
       }),
     );
     const path = columns(driven.path);

@@ -56,6 +56,7 @@
  * @property {string} [name]
  * @typedef {Point[] | ItemFields} Item a wall is its points
  */
+import { t } from "../texts.js";
 import { boundsOf, distance, distanceToLine, lengthOf, tidy } from "./geometry.js";
 
 export const LISTS = /** @type {const} */ ([
@@ -187,11 +188,11 @@ export function newPath(plan, points) {
   const number = firstFree((n) => (n === 1 ? "main" : `path-${n}`), names);
   return {
     name: number === 1 ? "main" : `path-${number}`,
-    title: number === 1 ? "Main path" : `Path ${number}`,
+    title: number === 1 ? t("editor-new-path-main") : t("editor-new-path", { number }),
     points,
     goal_radius: 0.5,
     time_limit: timeFor(points),
-    instruction: "Follow the white line to its end.",
+    instruction: t("editor-new-instruction"),
   };
 }
 

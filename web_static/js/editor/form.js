@@ -144,9 +144,7 @@ function pathRows(path, acts) {
       (value) => acts.change({ time_limit: value ?? timeFor(path.points) }),
     ),
     heading,
-    path.task &&
-      path.task.kind !== "path" &&
-      h("p", { class: "quiet small" }, t("editor-task", { kind: path.task.kind })),
+    path.task && path.task.kind !== "path" && h("p", { class: "quiet small" }, t(`editor-task-${path.task.kind}`)),
   ];
 }
 

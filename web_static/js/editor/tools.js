@@ -13,6 +13,7 @@
  */
 import { heading } from "../plan/floor_plan.js";
 import { REFERENCE } from "../reference.js";
+import { t } from "../texts.js";
 import { add, change, itemNear, itemOf, moveTo, newPath, pointsOf, remove } from "./document.js";
 import { changeDoor, doorOf, insertDoor, removeDoor } from "./doors.js";
 import { distance, tidy } from "./geometry.js";
@@ -65,7 +66,7 @@ export function tap(state, place, { step, reach }) {
       if (!pending.length) return { ...state, pending: [at], chosen: null };
       return withObstacle(state, {
         kind: "cylinder",
-        label: "Round",
+        label: t("editor-new-round"),
         position: pending[0],
         radius: tidy(Math.max(SMALLEST, distance(pending[0], at))),
       });
@@ -147,7 +148,7 @@ function boxBetween(a, b) {
   const side = (axis) => tidy(Math.max(SMALLEST, Math.abs(b[axis] - a[axis])));
   return {
     kind: "box",
-    label: "Box",
+    label: t("editor-new-box"),
     position: [tidy((a[0] + b[0]) / 2), tidy((a[1] + b[1]) / 2)],
     size: [side(0), side(1)],
     height: 0.75,

@@ -1,6 +1,6 @@
 /** The texts of the help, which is loaded when somebody asks for it. */
 import { catalogue } from "../words.js";
-import messages from "../../words/en/help.ftl.js";
+import messages from "../../words/help.ftl.js";
 
 export const { t, hasText } = catalogue(messages);
 

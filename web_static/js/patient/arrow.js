@@ -44,7 +44,7 @@ export function arrow() {
     if (!target || !isPose(pose)) return;
     const to = bearingTo(pose, target);
     const bearing = to.distance < NEAR ? 0 : to.bearing;
-    set(needle, { transform: `rotate(${number((-bearing * 180) / Math.PI, 0).replace("−", "-")} 50 50)` });
+    set(needle, { transform: `rotate(${Math.round((-bearing * 180) / Math.PI)} 50 50)` });
     set(picture, { "aria-label": t("patient-arrow", { where: t(`patient-arrow-${side(bearing)}`) }) });
     write(distance, t("patient-arrow-distance", { distance: number(to.distance, 1) }));
   };

@@ -50,8 +50,8 @@ export function cueLayer(live, signal) {
     element.dataset.kind = cue.kind;
     write(words, cueWords(cue));
     const { kind, movement, next } = cue;
-    const after = kind === "ready" && movement ? movement : next && cueWords({ kind: next, movement });
-    write(then, after ? t("patient-cue-next", { next: after.toLowerCase() }) : "");
+    const isMovement = movement && (kind === "ready" || next === "move");
+    write(then, isMovement ? t("patient-cue-then-movement", { movement }) : next ? t(`patient-cue-then-${next}`) : "");
   };
   turn();
   return { element, show };

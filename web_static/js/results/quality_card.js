@@ -5,6 +5,7 @@
 import { t } from "../texts.js";
 import { h } from "../widgets/dom.js";
 import { number, ofFull, percent } from "../widgets/format.js";
+import { jointLabel, sensorWithin } from "../widgets/joint_words.js";
 import { scrollTable } from "../widgets/scroll_table.js";
 
 /** How each figure is written. @type {Record<string, (value: number | null | undefined) => string>} */
@@ -34,10 +35,10 @@ export function qualityCard({ quality }) {
   const title = h("h2", {}, t("quality-title"));
   if (!quality)
     return h("section", { class: "card quality-card" }, title, h("p", { class: "quiet" }, t("quality-none")));
-  const guided = quality.joints.filter((joint) => joint.guided).map(({ label }) => label);
+  const guided = quality.joints.filter((joint) => joint.guided).map(jointLabel);
   const bad = quality.bad_channels
     .filter(({ share }) => share >= 0.005) // less is shown as 0 %
-    .map(({ name, share }) => t("quality-bad-one", { name, share: percent(share) }));
+    .map(({ name, share }) => t("quality-bad-one", { name: sensorWithin(name), share: percent(share) }));
   return h(
     "details",
     { class: "card quality-card" },
@@ -70,7 +71,7 @@ function jointTable(joints) {
     h(
       "tr",
       {},
-      h("th", { scope: "row" }, joint.label),
+      h("th", { scope: "row" }, jointLabel(joint)),
       OF_JOINT.map((name) => h("td", {}, QUALITIES[name](joint[name]))),
     );
   /** @param {string} name */

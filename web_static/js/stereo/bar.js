@@ -1,6 +1,7 @@
 /** The controls of the stereo page: visible after a movement, tap or key, hidden after 8 s without any. */
 import { h, put } from "../widgets/dom.js";
 import { segments, selection, setting, stepper, toggle } from "../widgets/fields.js";
+import { unrounded } from "../widgets/format.js";
 import { t } from "../texts.js";
 import { CONVERGENCES, MODES, MOST_APART } from "./settings.js";
 
@@ -30,7 +31,10 @@ export function controlBar(settings, root, signal) {
     onChange: (value) => settings.choose({ apart: value }),
   });
   const convergence = selection(
-    CONVERGENCES.map((value) => ({ value, label: value === "Infinity" ? t("stereo-far") : `${value} m` })),
+    CONVERGENCES.map((value) => ({
+      value,
+      label: value === "Infinity" ? t("stereo-far") : `${unrounded(Number(value))} m`,
+    })),
     chosen.convergence,
     (metres) => settings.choose({ convergence: CONVERGENCES.find((value) => value === metres) }),
   );

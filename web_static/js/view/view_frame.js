@@ -158,8 +158,9 @@ function pictureOf(frame) {
 
 /** @param {number} rate pictures a second @param {number | null} age s @param {number} coarse */
 function paceSentence(rate, age, coarse) {
-  const figures = t("trial-view-pace", { rate: number(rate, 0), age: age === null ? "–" : number(1000 * age, 0) });
-  return rate < SLOW && coarse >= COARSEST ? `${figures}. ${t("trial-view-slow")}` : figures;
+  const isSlow = rate < SLOW && coarse >= COARSEST;
+  const figures = { rate: number(rate, 0), age: age === null ? "–" : number(1000 * age, 0) };
+  return t(isSlow ? "trial-view-pace-slow" : "trial-view-pace", figures);
 }
 
 /** @param {HTMLElement} element @param {number} times screen pixels to one drawn pixel, each way */

@@ -18,9 +18,13 @@ const COUNTED = new Set(["ready", "rest", "free"]); // whole seconds; the others
 
 /** What a cue asks for, in one word or two. @param {{kind: string, joint: string | null}} cue */
 export function cueWords(cue) {
-  if (cue.kind !== "move") return t(`cue-${cue.kind}`);
-  const part = cue.joint?.split("_").at(-1);
-  return part && ["elbow", "wrist", "shoulder"].includes(part) ? t(`cue-move-${part}`) : t("cue-move");
+  return t(`cue-${cueName(cue)}`);
+}
+
+/** The end of the ids of its texts. @param {{kind: string, joint: string | null}} cue */
+function cueName({ kind, joint }) {
+  const part = kind === "move" && joint?.split("_").at(-1);
+  return part && ["elbow", "wrist", "shoulder"].includes(part) ? `move-${part}` : kind;
 }
 
 /**
@@ -78,7 +82,7 @@ export function cueCircle(app, step, { isRunning, idleWords, signal, onCue }) {
     write(word, cueWords(cue));
     set(word, { "data-long": cueWords(cue).length > LONG_WORD || null });
     const after = step.cues[now.index + 1];
-    write(next, t("cue-next", { next: after ? cueWords(after).toLowerCase() : t("cue-end") }));
+    write(next, t(`cue-next-${after ? cueName(after) : "end"}`));
     app.toasts.announce(cueWords(cue));
     onCue(cue);
   };

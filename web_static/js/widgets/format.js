@@ -1,7 +1,13 @@
-/** Numbers, times and dates as people read them. */
+/** Numbers, lists, times and dates as people read them in the language of the pages. */
 import { LANGUAGE } from "../language.js";
 
 const NONE = "–";
+const MOST_DIGITS = 20; // after the point, of a number that is shown as it is
+const LISTS = LANGUAGE === "en" ? "en-GB" : LANGUAGE; // "a, b and c"
+const ALL = new Intl.ListFormat(LISTS, { type: "conjunction" });
+const ANY = new Intl.ListFormat(LISTS, { type: "disjunction" });
+/** What writes numbers, by its options; to make one takes longer than all that it writes. @type {Map<string, Intl.NumberFormat>} */
+const WRITERS = new Map();
 const CALENDAR_DAY = /^\d{4}-\d{2}-\d{2}$/;
 const DAY = new Intl.DateTimeFormat(LANGUAGE, { day: "numeric", month: "short", year: "numeric" });
 /** @type {Intl.DateTimeFormatOptions} */
@@ -17,8 +23,38 @@ const MINUTE = new Intl.DateTimeFormat(LANGUAGE, { hour: "2-digit", minute: "2-d
 /** @param {number | null | undefined} value @param {number} digits after the point */
 export function number(value, digits) {
   if (value === null || value === undefined || !Number.isFinite(value)) return NONE;
-  const rounded = Number(value.toFixed(digits));
-  return (Object.is(rounded, -0) ? 0 : rounded).toFixed(digits).replace("-", "−");
+  return written(Number(value.toFixed(digits)), { minimumFractionDigits: digits, maximumFractionDigits: digits });
+}
+
+/** With as many digits as the value has. @param {number} value */
+export function unrounded(value) {
+  return written(value, { maximumFractionDigits: MOST_DIGITS });
+}
+
+/** At most so many significant digits. @param {number} value @param {number} digits */
+export function significant(value, digits) {
+  return written(Number(value.toPrecision(digits)), { maximumSignificantDigits: digits });
+}
+
+/** @param {number} value @param {Intl.NumberFormatOptions} options */
+function written(value, options) {
+  const key = JSON.stringify(options);
+  const writer = WRITERS.get(key) ?? new Intl.NumberFormat(LANGUAGE, { useGrouping: false, ...options });
+  WRITERS.set(key, writer);
+  return writer.format(value + 0).replace("-", "−"); // -0 + 0 is 0
+}
+
+/** The sign between whole digits and decimals. */
+export const POINT = written(1.5, { maximumFractionDigits: 1 }).charAt(1);
+
+/** "a, b and c". @param {string[]} items */
+export function allOf(items) {
+  return ALL.format(items);
+}
+
+/** "a, b or c". @param {string[]} items */
+export function anyOf(items) {
+  return ANY.format(items);
 }
 
 /** With its sign, also when it is positive. @param {number | null | undefined} value @param {number} digits */
@@ -31,7 +67,7 @@ export function signed(value, digits) {
 
 /** @param {number | null | undefined} share 0..1 */
 export function percent(share) {
-  return typeof share === "number" && Number.isFinite(share) ? `${Math.round(share * 100)} %` : NONE;
+  return typeof share === "number" && Number.isFinite(share) ? `${number(Math.round(share * 100), 0)} %` : NONE;
 }
 
 /** With its sign, also when it is positive. @param {number | null | undefined} share -1..1 */
@@ -80,8 +116,8 @@ export function minuteOfDay(iso) {
 
 /** @param {number} bytes */
 export function size(bytes) {
-  if (bytes < 999_500) return `${Math.max(1, Math.round(bytes / 1e3))} kB`;
-  return bytes < 999.95e6 ? `${(bytes / 1e6).toFixed(1)} MB` : `${(bytes / 1e9).toFixed(1)} GB`;
+  if (bytes < 999_500) return `${number(Math.max(1, bytes / 1e3), 0)} kB`;
+  return bytes < 999.95e6 ? `${number(bytes / 1e6, 1)} MB` : `${number(bytes / 1e9, 1)} GB`;
 }
 
 /** A share of the full movement, as people read it. @param {number | null | undefined} share 0..1 @param {string} unit "% / s" or "%" */

@@ -1,6 +1,7 @@
 /** The question about a 3D object whose size is improbable in metres: a person chooses its size, or cancels. */
 import { ApiError } from "../api.js";
 import { t } from "../texts.js";
+import { significant } from "./format.js";
 import { ask } from "./question.js";
 
 /**
@@ -25,4 +26,4 @@ export async function sendInMetres(place, send) {
 }
 
 /** Length, width and height with three digits each. @param {number[]} size m */
-const sizeWords = (size) => size.map((side) => String(Number(side.toPrecision(3)))).join(" × ");
+const sizeWords = (size) => size.map((side) => significant(side, 3)).join(" × ");

@@ -165,7 +165,7 @@ function codeView(app, { code, url, qr, message, expires }, { onAgain, onClose }
   const show = () => {
     const left = Date.parse(expires) - Date.now();
     picture.hidden = left <= 0;
-    const minutes = t("screens-minutes", { count: Math.max(1, Math.ceil(left / MINUTE)) });
+    const minutes = Math.max(1, Math.ceil(left / MINUTE));
     write(about, left > 0 ? t("screens-scan", { minutes }) : t("screens-expired"));
   };
   const timer = setInterval(() => (element.isConnected ? show() : clearInterval(timer)), LOOK_EVERY);

@@ -5,7 +5,7 @@
  * @import { LiveMessage } from "../live/live.js"
  * @import { Halt } from "../shell/halt.js"
  */
-import { t } from "../texts.js";
+import { t, textWith } from "../texts.js";
 import { h, put, set, write } from "./dom.js";
 import { clock } from "./format.js";
 import { icon } from "./icons.js";
@@ -168,7 +168,7 @@ function planButton(words, onPlan) {
  */
 export function waitWords(key) {
   const left = h("b", { class: "number", role: "timer", "aria-live": "off" });
-  const element = h("p", { class: "waits" }, t(key), " ", left);
+  const element = h("p", { class: "waits" }, textWith(key, "left", left));
   /** @param {number | null | undefined} seconds */
   const show = (seconds) => write(left, clock(seconds ?? 0));
   return { element, show };

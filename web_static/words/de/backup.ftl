@@ -17,11 +17,17 @@ backup-while = Sie können währenddessen weiterarbeiten und fahren.
 backup-list = Die neuesten Backups
 backup-good = Gut
 backup-bad = Fehler
-backup-of = { $files } Dateien, { $size }, { $sealed }, { $keys }
-backup-sealed = verschlüsselt
-backup-open = nicht verschlüsselt
-backup-keys = mit Schlüsseln
-backup-no-keys = ohne Schlüssel
+backup-of =
+    { $files ->
+        [one] { $files } Datei
+       *[other] { $files } Dateien
+    }, { $size }, { $encrypted ->
+        [yes] verschlüsselt
+       *[no] nicht verschlüsselt
+    }, { $keys ->
+        [yes] mit Schlüsseln
+       *[no] ohne Schlüssel
+    }
 backup-place = Jede Nacht
 backup-folder = Ordner
 backup-folder-hint = Auf einem Stick oder Netzlaufwerk, zum Beispiel /media/backup. Leer: keine Backups.

@@ -29,8 +29,22 @@ import-under-way = { $name } wird gesendet und geprüft. Große Aufzeichnungen b
 import-progress = Fortschritt dieses Schritts
 import-send = Senden: { $done } von { $total }
 import-unpack = Prüfen und Entpacken: { $done } von { $total }
-import-done = Patient { $code } ist importiert: { $sessions }, { $trials }.
+import-done =
+    Patient { $code } ist importiert: { $sessions ->
+        [one] { $sessions } Sitzung
+       *[other] { $sessions } Sitzungen
+    }, { $trials ->
+        [one] { $trials } Durchgang
+       *[other] { $trials } Durchgänge
+    }.
 import-replace = Patient ersetzen
 import-kept = Alles, was hier zu diesem Patienten gespeichert ist, wird durch den Inhalt des Archivs ersetzt. Vorher wird ein Archiv des jetzigen Stands erstellt und 30 Tage aufbewahrt.
-import-replaced = { $code } ist ersetzt: { $sessions }, { $trials }. Der frühere Stand wird 30 Tage im Ordner der Klinik aufbewahrt: replaced/{ $kept }.
+import-replaced =
+    { $code } ist ersetzt: { $sessions ->
+        [one] { $sessions } Sitzung
+       *[other] { $sessions } Sitzungen
+    }, { $trials ->
+        [one] { $trials } Durchgang
+       *[other] { $trials } Durchgänge
+    }. Der frühere Stand wird 30 Tage im Ordner der Klinik aufbewahrt: replaced/{ $kept }.
 import-known = { $code } wurde schon früher aus diesem Archiv importiert. Nichts wurde geändert.

@@ -62,7 +62,14 @@ log-name-size = Größe
 log-name-test = Zwei-Minuten-Test
 log-name-unused = nicht verwendete Sensoren
 log-name-with-keys = mit Schlüsseln
+# A detail of a row: its name and its value.
+log-detail = { $name } { $value }
+log-detail-patient = Patient { $number }
 log-dial = Temporegler auf { $share }
+log-value-every-patient = alle Patienten
+log-value-none = keine
+log-value-yes = ja
+log-value-no = nein
 log-value-consent-recording = Aufzeichnung
 log-value-consent-clinic-prior = Verwendung für andere Patienten der Klinik
 log-value-consent-sharing = Weitergabe nach außen

@@ -29,7 +29,13 @@ patient-cue-rest = Ausruhen
 patient-cue-free = Frei bewegen
 patient-cue-move = Bewegen
 patient-cue-return = Langsam zurück
-patient-cue-next = Danach: { $next }
+# { $movement } is an instruction: "Bend the right elbow".
+patient-cue-then-movement = Danach: { $movement }
+patient-cue-then-ready = Danach: bereit machen
+patient-cue-then-rest = Danach: ausruhen
+patient-cue-then-free = Danach: frei bewegen
+patient-cue-then-move = Danach: bewegen
+patient-cue-then-return = Danach: langsam zurück
 patient-over-title = Vielen Dank
 patient-over-lead = Die Sitzung ist beendet. Dieser Bildschirm zeigt nichts mehr davon.
 patient-over-next = Sie können diese Seite schließen. Für die nächste Sitzung zeigt Ihnen die Fachkraft einen neuen Code. Scannen Sie ihn, oder geben Sie ihn hier ein.
@@ -45,13 +51,12 @@ screens-title = Patientenbildschirm
 screens-lead = Ein zweiter Bildschirm für den Patienten: die Ansicht, große Hinweise und das Tempo. Dort lässt sich nichts ändern.
 screens-nobody = Ein Bildschirm wird mit einer Sitzung gekoppelt. Wählen Sie zuerst einen Patienten.
 screens-pair = Bildschirm koppeln
-screens-scan = Scannen Sie diesen Code mit der Kamera des Patientenbildschirms, oder öffnen Sie den Link dort. Er gilt einmal, { $minutes }.
+screens-scan =
+    Scannen Sie diesen Code mit der Kamera des Patientenbildschirms, oder öffnen Sie den Link dort. Er gilt einmal, { $minutes ->
+        [one] noch { $minutes } Minute
+       *[other] noch { $minutes } Minuten
+    }.
 screens-type = Oder öffnen Sie { $address } auf dem Patientenbildschirm, und geben Sie diesen Code ein:
-screens-minutes =
-    { $count ->
-        [one] noch { $count } Minute
-       *[other] noch { $count } Minuten
-    }
 screens-expired = Dieser Code ist abgelaufen. Erstellen Sie einen neuen.
 screens-qr = QR-Code des Links für den Patientenbildschirm
 screens-link = Link für den Patientenbildschirm

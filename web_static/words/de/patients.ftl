@@ -16,8 +16,16 @@ patients-start = Sitzung starten
 patients-go-on = Weiter
 patients-end = Sitzung beenden
 patients-here = Sitzung offen
-patients-ends = Eine Sitzung von { $code } ist offen: { $name } hat sie um { $time } begonnen, { $trials }. Es kann nur eine Sitzung offen sein.
-patients-ends-somebody = Eine Sitzung von { $code } ist offen: begonnen um { $time }, { $trials }. Es kann nur eine Sitzung offen sein.
+patients-ends =
+    Eine Sitzung von { $code } ist offen: { $name } hat sie um { $time } begonnen, { $trials ->
+        [one] { $trials } Durchgang
+       *[other] { $trials } Durchgänge
+    }. Es kann nur eine Sitzung offen sein.
+patients-ends-somebody =
+    Eine Sitzung von { $code } ist offen: begonnen um { $time }, { $trials ->
+        [one] { $trials } Durchgang
+       *[other] { $trials } Durchgänge
+    }. Es kann nur eine Sitzung offen sein.
 patients-ends-go = Beenden und { $next } starten
 patients-sessions =
     { $count ->

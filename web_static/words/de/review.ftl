@@ -24,11 +24,18 @@ review-details = Details: Statistik und Form der Kurve
 review-trajectories = Alle Fahrspuren über der Strecke
 review-trials = Durchgänge
 review-trial = Durchgang
+# Over a point of a chart, where its value is "2.41 m²" or "goal not reached".
+review-trial-point = Durchgang { $number }: { $value }
+review-trial-line = Durchgang { $number }
 review-no-kept = Auf dieser Strecke zählt noch kein Durchgang.
 review-band = Unsicherheit der Kurve
 review-form-exponential = Exponentiell
 review-form-power = Potenzgesetz
 review-form-level = Waagerecht
+# Within a sentence.
+review-form-within-exponential = exponentiell
+review-form-within-power = Potenzgesetz
+review-form-within-level = waagerecht
 review-model = Form der Kurve
 review-model-worse = { $model }: beschreibt diese Durchgänge schlechter als die beste Form ({ $best }).
 review-model-as-well = { $model }: beschreibt diese Durchgänge etwa so gut wie die beste Form ({ $best }).

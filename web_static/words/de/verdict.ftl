@@ -9,12 +9,14 @@ verdict-means = Schwankung ist der Unterschied zwischen den eigenen Durchgängen
 verdict-chance = Bewertet werden nur die drei wichtigsten Messwerte einer Aufgabe und wie oft das Ziel erreicht wurde. Auch wenn sich nichts geändert hat, steht auf etwa einer von zwanzig Seiten durch Zufall „besser“ oder „schlechter“.
 verdict-missed = Im Vergleich von Sitzungen zählt ein Durchgang, der das Ziel verfehlt hat, höchstens so gut wie das schlechteste Zehntel der früheren Durchgänge, die es erreicht haben.
 verdict-unpublished = Für diese Messwerte des Rollstuhlfahrens ist keine kleinste nachweisbare Veränderung (MDC) veröffentlicht.
-verdict-sessions = Sitzung { $later } ({ $second }) gegen Sitzung { $earlier } ({ $first })
-verdict-trials =
-    { $count ->
-        [one] { $count } Durchgang
-       *[other] { $count } Durchgänge
-    }
+verdict-sessions =
+    Sitzung { $later } ({ $laterDay }, { $laterTrials ->
+        [one] { $laterTrials } Durchgang
+       *[other] { $laterTrials } Durchgänge
+    }) gegen Sitzung { $earlier } ({ $earlierDay }, { $earlierTrials ->
+        [one] { $earlierTrials } Durchgang
+       *[other] { $earlierTrials } Durchgänge
+    })
 verdict-session = Sitzung { $number }
 verdict-all = Alle Messwerte
 verdict-counts =

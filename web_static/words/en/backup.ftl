@@ -17,11 +17,17 @@ backup-while = You may go on working and driving meanwhile.
 backup-list = The newest backups
 backup-good = Good
 backup-bad = Failed
-backup-of = { $files } files, { $size }, { $sealed }, { $keys }
-backup-sealed = encrypted
-backup-open = not encrypted
-backup-keys = with keys
-backup-no-keys = without keys
+backup-of =
+    { $files ->
+        [one] { $files } file
+       *[other] { $files } files
+    }, { $size }, { $encrypted ->
+        [yes] encrypted
+       *[no] not encrypted
+    }, { $keys ->
+        [yes] with keys
+       *[no] without keys
+    }
 backup-place = Every night
 backup-folder = Folder
 backup-folder-hint = On a stick or a network drive, for example /media/backup. Empty: no backups.

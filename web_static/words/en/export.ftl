@@ -29,8 +29,22 @@ import-under-way = { $name } is being sent and checked. Large recordings take mi
 import-progress = How much of this step is done
 import-send = Sending: { $done } of { $total }
 import-unpack = Checking and unpacking: { $done } of { $total }
-import-done = The patient { $code } is imported: { $sessions }, { $trials }.
+import-done =
+    The patient { $code } is imported: { $sessions ->
+        [one] { $sessions } session
+       *[other] { $sessions } sessions
+    }, { $trials ->
+        [one] { $trials } trial
+       *[other] { $trials } trials
+    }.
 import-replace = Replace the patient
 import-kept = Everything of this patient that is here is replaced by what the archive has. An archive of the patient as it is now is made first, and kept for 30 days.
-import-replaced = { $code } is replaced: { $sessions }, { $trials }. The patient as it was is kept for 30 days in the clinic's folder: replaced/{ $kept }.
+import-replaced =
+    { $code } is replaced: { $sessions ->
+        [one] { $sessions } session
+       *[other] { $sessions } sessions
+    }, { $trials ->
+        [one] { $trials } trial
+       *[other] { $trials } trials
+    }. The patient as it was is kept for 30 days in the clinic's folder: replaced/{ $kept }.
 import-known = { $code } was imported from this archive before: nothing was changed.

@@ -62,7 +62,14 @@ log-name-size = size
 log-name-test = two-minute test
 log-name-unused = sensors not used
 log-name-with-keys = with keys
+# A detail of a row: its name and its value.
+log-detail = { $name } { $value }
+log-detail-patient = patient { $number }
 log-dial = speed dial at { $share }
+log-value-every-patient = all patients
+log-value-none = none
+log-value-yes = yes
+log-value-no = no
 log-value-consent-recording = recording
 log-value-consent-clinic-prior = use for other patients of the clinic
 log-value-consent-sharing = sharing outside

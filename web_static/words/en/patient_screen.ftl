@@ -29,7 +29,13 @@ patient-cue-rest = Rest
 patient-cue-free = Move freely
 patient-cue-move = Move
 patient-cue-return = Slowly back
-patient-cue-next = Then: { $next }
+# { $movement } is an instruction: "Bend the right elbow".
+patient-cue-then-movement = Then: { $movement }
+patient-cue-then-ready = Then: get ready
+patient-cue-then-rest = Then: rest
+patient-cue-then-free = Then: move freely
+patient-cue-then-move = Then: move
+patient-cue-then-return = Then: slowly back
 patient-over-title = Thank you
 patient-over-lead = The session is over, and this screen shows nothing of it any more.
 patient-over-next = You can close this page. For the next session, your clinician shows a new code: scan it, or type it here.
@@ -45,13 +51,12 @@ screens-title = Patient's screen
 screens-lead = A second screen for the patient: the view, large cues and the speed. Nothing on it can be changed.
 screens-nobody = A screen is paired with a session: choose a patient first.
 screens-pair = Pair a screen
-screens-scan = Scan this with the camera of the patient's screen, or open the link there. It works once, for { $minutes }.
+screens-scan =
+    Scan this with the camera of the patient's screen, or open the link there. It works once, for { $minutes ->
+        [one] { $minutes } more minute
+       *[other] { $minutes } more minutes
+    }.
 screens-type = Or open { $address } on the patient's screen and type this code:
-screens-minutes =
-    { $count ->
-        [one] { $count } more minute
-       *[other] { $count } more minutes
-    }
 screens-expired = This code is too old now: make a new one.
 screens-qr = QR code of the link for the patient's screen
 screens-link = Link for the patient's screen

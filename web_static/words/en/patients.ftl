@@ -16,8 +16,16 @@ patients-start = Start session
 patients-go-on = Go on
 patients-end = End session
 patients-here = session open
-patients-ends = A session of { $code } is open: { $name } began it at { $time }, { $trials }. Only one session can be open.
-patients-ends-somebody = A session of { $code } is open: begun at { $time }, { $trials }. Only one session can be open.
+patients-ends =
+    A session of { $code } is open: { $name } began it at { $time }, { $trials ->
+        [one] { $trials } trial
+       *[other] { $trials } trials
+    }. Only one session can be open.
+patients-ends-somebody =
+    A session of { $code } is open: begun at { $time }, { $trials ->
+        [one] { $trials } trial
+       *[other] { $trials } trials
+    }. Only one session can be open.
 patients-ends-go = End it and start { $next }
 patients-sessions =
     { $count ->

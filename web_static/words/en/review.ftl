@@ -24,11 +24,18 @@ review-details = Details: statistics, and which curve is drawn
 review-trajectories = All trajectories over the path
 review-trials = Trials
 review-trial = trial
+# Over a point of a chart, where its value is "2.41 m²" or "goal not reached".
+review-trial-point = trial { $number }: { $value }
+review-trial-line = trial { $number }
 review-no-kept = No trial on this path counts yet.
 review-band = uncertainty of the curve
 review-form-exponential = Exponential
 review-form-power = Power law
 review-form-level = Level line
+# Within a sentence.
+review-form-within-exponential = exponential
+review-form-within-power = power law
+review-form-within-level = level line
 review-model = Which curve is drawn
 review-model-worse = { $model }: describes these trials less well than the best, { $best }.
 review-model-as-well = { $model }: describes these trials about as well as the best, { $best }.

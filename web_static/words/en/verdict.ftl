@@ -9,12 +9,14 @@ verdict-means = Noise is how much this person's own trials of this task differ w
 verdict-chance = Only the three leading measures of a task, and how often the goal was reached, have a verdict. Where nothing changed, about one page in twenty says better or worse by chance.
 verdict-missed = Between sessions, a trial that missed the goal counts at most as much as the worst tenth of the earlier trials that reached it.
 verdict-unpublished = No minimal detectable change has been published for these measures of wheelchair driving.
-verdict-sessions = Session { $later } ({ $second }) against session { $earlier } ({ $first })
-verdict-trials =
-    { $count ->
-        [one] { $count } trial
-       *[other] { $count } trials
-    }
+verdict-sessions =
+    Session { $later } ({ $laterDay }, { $laterTrials ->
+        [one] { $laterTrials } trial
+       *[other] { $laterTrials } trials
+    }) against session { $earlier } ({ $earlierDay }, { $earlierTrials ->
+        [one] { $earlierTrials } trial
+       *[other] { $earlierTrials } trials
+    })
 verdict-session = Session { $number }
 verdict-all = All measures
 verdict-counts =

@@ -17,11 +17,17 @@ backup-while = Mientras tanto puede seguir trabajando y conduciendo.
 backup-list = Las copias más recientes
 backup-good = Correcta
 backup-bad = Fallida
-backup-of = { $files } archivos, { $size }, { $sealed }, { $keys }
-backup-sealed = cifrada
-backup-open = sin cifrar
-backup-keys = con claves
-backup-no-keys = sin claves
+backup-of =
+    { $files ->
+        [one] { $files } archivo
+       *[other] { $files } archivos
+    }, { $size }, { $encrypted ->
+        [yes] cifrada
+       *[no] sin cifrar
+    }, { $keys ->
+        [yes] con claves
+       *[no] sin claves
+    }
 backup-place = Cada noche
 backup-folder = Carpeta
 backup-folder-hint = En una memoria USB o una unidad de red, por ejemplo /media/backup. Vacío: sin copias de seguridad.

@@ -66,7 +66,7 @@ import-by-metres-per-pixel = Metros por píxel
 import-width = Anchura de toda la imagen (m)
 import-width-hint = Del borde izquierdo al derecho, con los márgenes.
 import-metres-per-pixel = Metros por píxel
-import-metres-per-pixel-hint = Por ejemplo, 0.02.
+import-metres-per-pixel-hint = Por ejemplo, 0,02.
 import-threshold = Brillo del suelo libre
 import-threshold-hint = Proporción de blanco, de 0 a 1. Lo más claro es suelo libre; lo más oscuro, no.
 editor-tools = Herramientas
@@ -79,6 +79,12 @@ editor-tool-cone = Cono
 editor-tool-path = Recorrido
 editor-tool-heading = Rumbo inicial
 editor-tool-erase = Borrar
+# What new things are called in the plan, until somebody changes it.
+editor-new-box = Caja
+editor-new-round = Redondo
+editor-new-path-main = Recorrido principal
+editor-new-path = Recorrido { $number }
+editor-new-instruction = Siga la línea blanca hasta el final.
 editor-hint-move = Toque un elemento para elegirlo. Después muévalo con un dedo, con las flechas o con números.
 editor-hint-placing = Toque el lugar donde va.
 editor-hint-wall = Toque de esquina en esquina. Para terminar, toque otra vez la última o toque Listo.
@@ -95,7 +101,7 @@ editor-drawn =
         [one] { $count } punto
        *[other] { $count } puntos, { $length } m
     }
-editor-snap = Ajustar a 0.1 m
+editor-snap = Ajustar a 0,1 m
 editor-sheet = El plano. Con la herramienta Elegir, las flechas mueven el elemento elegido. Con las demás mueven una cruz, e Intro equivale a tocar en ella. Escape termina.
 editor-panel = El elemento elegido
 editor-views = La imagen
@@ -143,7 +149,10 @@ editor-goal-radius = Radio de la meta
 editor-time-limit = Tiempo límite; { $value } s a ritmo lento
 editor-start-heading = Rumbo inicial
 editor-start-heading-along = según el recorrido
-editor-task = Tarea de este recorrido: { $kind }. Aquí no se puede cambiar.
+editor-task-follow = Tarea de este recorrido: seguir. Aquí no se puede cambiar.
+editor-task-turn = Tarea de este recorrido: girar. Aquí no se puede cambiar.
+editor-task-back = Tarea de este recorrido: marcha atrás. Aquí no se puede cambiar.
+editor-task-course = Tarea de este recorrido: circuito. Aquí no se puede cambiar.
 editor-model = Se dibuja como
 editor-model-hint = El objeto 3D solo se dibuja. Los contactos se miden con la caja.
 editor-model-none = una caja, o lo que indica su etiqueta

@@ -29,8 +29,22 @@ import-under-way = Se está enviando y comprobando { $name }. Las grabaciones gr
 import-progress = Avance de este paso
 import-send = Enviando: { $done } de { $total }
 import-unpack = Comprobando y descomprimiendo: { $done } de { $total }
-import-done = Se ha importado el paciente { $code }: { $sessions }, { $trials }.
+import-done =
+    Se ha importado el paciente { $code }: { $sessions ->
+        [one] { $sessions } sesión
+       *[other] { $sessions } sesiones
+    }, { $trials ->
+        [one] { $trials } ensayo
+       *[other] { $trials } ensayos
+    }.
 import-replace = Sustituir el paciente
 import-kept = Todo lo que hay aquí de este paciente se sustituye por el contenido del expediente. Antes se crea un expediente del paciente tal como está ahora, que se conserva 30 días.
-import-replaced = Se ha sustituido { $code }: { $sessions }, { $trials }. El estado anterior del paciente se conserva 30 días en la carpeta de la clínica: replaced/{ $kept }.
+import-replaced =
+    Se ha sustituido { $code }: { $sessions ->
+        [one] { $sessions } sesión
+       *[other] { $sessions } sesiones
+    }, { $trials ->
+        [one] { $trials } ensayo
+       *[other] { $trials } ensayos
+    }. El estado anterior del paciente se conserva 30 días en la carpeta de la clínica: replaced/{ $kept }.
 import-known = { $code } ya se había importado de este expediente: no ha cambiado nada.

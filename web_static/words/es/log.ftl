@@ -62,7 +62,14 @@ log-name-size = tamaño
 log-name-test = prueba de dos minutos
 log-name-unused = sensores sin usar
 log-name-with-keys = con claves
+# A detail of a row: its name and its value.
+log-detail = { $name } { $value }
+log-detail-patient = paciente { $number }
 log-dial = selector de velocidad al { $share }
+log-value-every-patient = todos los pacientes
+log-value-none = ninguno
+log-value-yes = sí
+log-value-no = no
 log-value-consent-recording = grabación
 log-value-consent-clinic-prior = uso para otros pacientes de la clínica
 log-value-consent-sharing = compartir fuera

@@ -29,7 +29,13 @@ patient-cue-rest = Reposo
 patient-cue-free = Movimiento libre
 patient-cue-move = Mueva
 patient-cue-return = Vuelva despacio
-patient-cue-next = Después: { $next }
+# { $movement } is an instruction: "Bend the right elbow".
+patient-cue-then-movement = Después: { $movement }
+patient-cue-then-ready = Después: prepárese
+patient-cue-then-rest = Después: reposo
+patient-cue-then-free = Después: movimiento libre
+patient-cue-then-move = Después: mueva
+patient-cue-then-return = Después: vuelva despacio
 patient-over-title = Gracias
 patient-over-lead = La sesión ha terminado, y esta pantalla ya no muestra nada de ella.
 patient-over-next = Puede cerrar esta página. En la próxima sesión, su profesional le mostrará un código nuevo: escanéelo o escríbalo aquí.
@@ -45,13 +51,12 @@ screens-title = Pantalla del paciente
 screens-lead = Una segunda pantalla para el paciente: la vista, indicaciones grandes y la velocidad. En ella no se puede cambiar nada.
 screens-nobody = La pantalla se vincula a una sesión: elija primero un paciente.
 screens-pair = Vincular pantalla
-screens-scan = Escanee este código con la cámara de la pantalla del paciente, o abra allí el enlace. Funciona una sola vez. Tiempo restante: { $minutes }.
+screens-scan =
+    Escanee este código con la cámara de la pantalla del paciente, o abra allí el enlace. Funciona una sola vez. Tiempo restante: { $minutes ->
+        [one] { $minutes } minuto
+       *[other] { $minutes } minutos
+    }.
 screens-type = O abra { $address } en la pantalla del paciente y escriba este código:
-screens-minutes =
-    { $count ->
-        [one] { $count } minuto
-       *[other] { $count } minutos
-    }
 screens-expired = Este código ha caducado: cree uno nuevo.
 screens-qr = Código QR del enlace para la pantalla del paciente
 screens-link = Enlace para la pantalla del paciente

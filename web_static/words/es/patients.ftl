@@ -16,8 +16,16 @@ patients-start = Empezar sesión
 patients-go-on = Seguir
 patients-end = Terminar sesión
 patients-here = sesión abierta
-patients-ends = Hay una sesión de { $code } abierta ({ $trials }): { $name } la empezó a las { $time }. Solo puede haber una sesión abierta.
-patients-ends-somebody = Hay una sesión de { $code } abierta ({ $trials }): empezó a las { $time }. Solo puede haber una sesión abierta.
+patients-ends =
+    Hay una sesión de { $code } abierta ({ $trials ->
+        [one] { $trials } ensayo
+       *[other] { $trials } ensayos
+    }): { $name } la empezó a las { $time }. Solo puede haber una sesión abierta.
+patients-ends-somebody =
+    Hay una sesión de { $code } abierta ({ $trials ->
+        [one] { $trials } ensayo
+       *[other] { $trials } ensayos
+    }): empezó a las { $time }. Solo puede haber una sesión abierta.
 patients-ends-go = Terminarla y empezar { $next }
 patients-sessions =
     { $count ->

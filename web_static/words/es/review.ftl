@@ -24,11 +24,18 @@ review-details = Detalles: estadística y qué curva se dibuja
 review-trajectories = Todas las trayectorias sobre el recorrido
 review-trials = Ensayos
 review-trial = ensayo
+# Over a point of a chart, where its value is "2.41 m²" or "goal not reached".
+review-trial-point = ensayo { $number }: { $value }
+review-trial-line = ensayo { $number }
 review-no-kept = Todavía no cuenta ningún ensayo en este recorrido.
 review-band = incertidumbre de la curva
 review-form-exponential = Exponencial
 review-form-power = Ley de potencia
 review-form-level = Línea constante
+# Within a sentence.
+review-form-within-exponential = exponencial
+review-form-within-power = ley de potencia
+review-form-within-level = línea constante
 review-model = Qué curva se dibuja
 review-model-worse = { $model }: describe estos ensayos peor que la mejor, { $best }.
 review-model-as-well = { $model }: describe estos ensayos casi tan bien como la mejor, { $best }.

@@ -9,12 +9,14 @@ verdict-means = La variabilidad es cuánto difieren entre sí los ensayos de est
 verdict-chance = Solo tienen valoración las tres medidas principales de una tarea y la frecuencia con que se alcanzó la meta. Si no ha cambiado nada, alrededor de una página de cada veinte indica mejora o empeoramiento por azar.
 verdict-missed = Entre sesiones, un ensayo que no alcanzó la meta se considera igual o peor que el peor 10 % de los ensayos anteriores que la alcanzaron.
 verdict-unpublished = No se ha publicado el cambio mínimo detectable de estas medidas de la conducción de sillas de ruedas.
-verdict-sessions = Sesión { $later } ({ $second }) frente a la sesión { $earlier } ({ $first })
-verdict-trials =
-    { $count ->
-        [one] { $count } ensayo
-       *[other] { $count } ensayos
-    }
+verdict-sessions =
+    Sesión { $later } ({ $laterDay }, { $laterTrials ->
+        [one] { $laterTrials } ensayo
+       *[other] { $laterTrials } ensayos
+    }) frente a la sesión { $earlier } ({ $earlierDay }, { $earlierTrials ->
+        [one] { $earlierTrials } ensayo
+       *[other] { $earlierTrials } ensayos
+    })
 verdict-session = Sesión { $number }
 verdict-all = Todas las medidas
 verdict-counts =

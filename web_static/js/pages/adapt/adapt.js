@@ -12,6 +12,7 @@ import { h, put, write } from "../../widgets/dom.js";
 import { choices } from "../../widgets/fields.js";
 import { percent } from "../../widgets/format.js";
 import { withLabels } from "../../widgets/gestures.js";
+import { labelsOf } from "../../widgets/joint_words.js";
 import { mapVersions } from "./map_versions.js";
 import { emptyPage, patientHere } from "../../shell/nobody.js";
 import { t } from "../../texts.js";
@@ -35,7 +36,7 @@ export async function show(app, root, { signal, rest }) {
 
   /** @param {AdaptationView} view @param {MapVersion[]} maps */
   const draw = (view, maps) => {
-    const labels = labelsOf(view);
+    const labels = labelsOf(view.proposal?.joints ?? []); // of the joints that the proposal names
     write(lead, t(`adapt-lead-${view.origin}`, { version: view.version ?? "" }));
     put(
       place,
@@ -139,11 +140,6 @@ const waiting = ({ proposal }) => (proposal?.changes && proposal.applied === nul
 
 /** Whether a look at the last trials can begin now. @param {AdaptationView} view */
 const mayLook = (view) => !waiting(view) && !view.looking && view.refusal === null;
-
-/** Labels of the joints, as far as a proposal names them. @param {AdaptationView} view @returns {Record<string, string>} */
-function labelsOf({ proposal }) {
-  return Object.fromEntries((proposal?.joints ?? []).map(({ name, label }) => [name, label]));
-}
 
 /** @param {string} words @param {() => void} run */
 function button(words, run, kind = "btn", disabled = false) {

@@ -6,12 +6,13 @@ import { t } from "../../texts.js";
 import { h } from "../../widgets/dom.js";
 import { number, ofFull, percent } from "../../widgets/format.js";
 import { withLabels } from "../../widgets/gestures.js";
+import { jointLabel, jointWithin, labelsOf } from "../../widgets/joint_words.js";
 
 const TONES = { applied: "", refused: "bad", unchanged: "plain" };
 
 /** @param {ProposalView} proposal of GET /adaptation */
 export function jointCards({ joints, applied }) {
-  const labels = Object.fromEntries(joints.map(({ name, label }) => [name, label]));
+  const labels = labelsOf(joints);
   const still = joints.filter(({ status }) => status === "unchanged");
   const others = joints.filter((joint) => !still.includes(joint));
   return h(
@@ -22,12 +23,7 @@ export function jointCards({ joints, applied }) {
       { class: "joint-cards" },
       others.map((joint) => jointCard(joint, withLabels(joint.reason, labels), applied !== null)),
     ),
-    still.length > 0 &&
-      h(
-        "p",
-        { class: "quiet" },
-        t("adapt-others", { joints: still.map(({ label }) => label.toLowerCase()).join(", ") }),
-      ),
+    still.length > 0 && h("p", { class: "quiet" }, t("adapt-others", { joints: still.map(jointWithin).join(", ") })),
   );
 }
 
@@ -38,7 +34,7 @@ function jointCard(joint, reason, isApplied) {
   return h(
     "section",
     { class: "card adapt-joint" },
-    h("h2", {}, joint.label, h("span", { class: `tag ${TONES[joint.status]}` }, t(`adapt-joint-${status}`))),
+    h("h2", {}, jointLabel(joint), h("span", { class: `tag ${TONES[joint.status]}` }, t(`adapt-joint-${status}`))),
     h(
       "dl",
       { class: "adapt-figures" },

@@ -5,6 +5,7 @@
 import { t } from "../../texts.js";
 import { h } from "../../widgets/dom.js";
 import { moment, number, ofFull, percent } from "../../widgets/format.js";
+import { jointLabel } from "../../widgets/joint_words.js";
 import { scrollTable } from "../../widgets/scroll_table.js";
 
 /** @param {MapVersion[]} maps of GET /patients/ID/maps @param {Record<string, string>} labels of the joints */
@@ -56,7 +57,7 @@ function origin({ origin: how, parent, difference }) {
 function changes({ difference }, labels) {
   const joints = Object.entries(difference?.joints ?? {}).map(([name, joint]) =>
     t("adapt-difference-joint", {
-      joint: labels[name] ?? name.replaceAll("_", " "),
+      joint: labels[name] ?? jointLabel({ name, label: name.replaceAll("_", " ") }),
       changes: ofJoint(joint).join(", "),
     }),
   );

@@ -88,8 +88,8 @@ function row(made) {
   const facts = {
     files: made.files,
     size: size(made.bytes),
-    sealed: t(made.encrypted ? "backup-sealed" : "backup-open"),
-    keys: t(made.with_keys ? "backup-keys" : "backup-no-keys"),
+    encrypted: made.encrypted ? "yes" : "no",
+    keys: made.with_keys ? "yes" : "no",
   };
   return h(
     "div",

@@ -11,6 +11,7 @@ import { calibrateStep } from "./calibrate_step.js";
 import { failureWords } from "../../api.js";
 import { discoveryCard } from "../../widgets/discovery_card.js";
 import { h, put } from "../../widgets/dom.js";
+import { labelsOf } from "../../widgets/joint_words.js";
 import { drawnAgain } from "../../shell/focus_keeper.js";
 import { emptyPage, patientHere } from "../../shell/nobody.js";
 import { leftOutWords, resultView } from "./calibration_result.js";
@@ -256,7 +257,7 @@ function resultBody(app, result, actions) {
  * @param {App} app @param {CalibrationResult} result @param {(found: Discovery) => void} onFound
  */
 function foundGestures(app, result, onFound) {
-  const labels = Object.fromEntries(result.joints.map(({ name, label }) => [name, label]));
+  const labels = labelsOf(result.joints);
   const take = () =>
     app.toasts.attempt(async () => {
       await app.api.post("/controls/suggest");

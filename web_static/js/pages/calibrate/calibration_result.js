@@ -9,6 +9,7 @@ import { t } from "../../texts.js";
 import { h } from "../../widgets/dom.js";
 import { number, percent } from "../../widgets/format.js";
 import { withLabels } from "../../widgets/gestures.js";
+import { jointLabel, jointWithin, labelsOf, sensorWithin } from "../../widgets/joint_words.js";
 import { repeatsWord, signalWord } from "../../widgets/grade_words.js";
 import { scrollTable } from "../../widgets/scroll_table.js";
 import { checkTables, mapChoice } from "./map_choice.js";
@@ -21,7 +22,7 @@ const WASH = 0.5; // strongest paint below that: dark text stays readable on it
 
 /** @param {CalibrationResult} result @param {OnRepeat} onRepeat @param {OnMap} onMap @param {OnSitting} onSitting */
 export function resultView(result, onRepeat, onMap, onSitting) {
-  const labels = Object.fromEntries(result.joints.map(({ name, label }) => [name, label]));
+  const labels = labelsOf(result.joints);
   return h(
     "div",
     { class: "stack" },
@@ -40,13 +41,14 @@ export function resultView(result, onRepeat, onMap, onSitting) {
 function jointCard(joint, advice, onRepeat, onMap, onSitting) {
   const { step } = joint;
   const evr = percent(joint.evr);
+  const label = jointLabel(joint);
   return h(
     "section",
     { class: "card" },
-    h("h2", {}, joint.label, joint.has_to_be_repeated && h("span", { class: "tag bad" }, t("result-repeat"))),
+    h("h2", {}, label, joint.has_to_be_repeated && h("span", { class: "tag bad" }, t("result-repeat"))),
     h(
       "div",
-      { class: "evr", role: "img", "aria-label": t("result-bar", { joint: joint.label, percent: evr }) },
+      { class: "evr", role: "img", "aria-label": t("result-bar", { joint: label, percent: evr }) },
       h("span", { style: `width:${(joint.evr ?? 0) * 100}%` }),
       h("em", { style: `left:${STUDY.low * 100}%;width:${(STUDY.high - STUDY.low) * 100}%` }),
     ),
@@ -67,7 +69,7 @@ function jointCard(joint, advice, onRepeat, onMap, onSitting) {
         {
           type: "button",
           class: `btn small${advice === null ? " bare" : ""}`,
-          "aria-label": t("result-again-label", { joint: joint.label }),
+          "aria-label": t("result-again-label", { joint: label }),
           onclick: () => onRepeat(step),
         },
         t("result-again"),
@@ -101,7 +103,7 @@ function details({ evr, signal_to_noise: signal, repeatability, guided, prior })
 
 /** A row per gesture that was asked for, a column per joint that answered. @param {JointResult[]} joints @param {number[][]} rows */
 function crossTalk(joints, rows) {
-  const labels = joints.slice(0, rows.length).map(({ label }) => label);
+  const asked = joints.slice(0, rows.length);
   return h(
     "section",
     { class: "card" },
@@ -117,7 +119,7 @@ function crossTalk(joints, rows) {
           "tr",
           {},
           h("td", {}),
-          labels.map((label) => h("th", { scope: "col" }, label)),
+          asked.map((joint) => h("th", { scope: "col" }, jointLabel(joint))),
         ),
       ),
       h(
@@ -127,7 +129,7 @@ function crossTalk(joints, rows) {
           h(
             "tr",
             {},
-            h("th", { scope: "row" }, t("result-cross-asked", { joint: labels[i].toLowerCase() })),
+            h("th", { scope: "row" }, t("result-cross-asked", { joint: jointWithin(asked[i]) })),
             row.map(cell),
           ),
         ),
@@ -145,7 +147,7 @@ function cell(value) {
 
 /** In one sentence which sensors were left out, and why. @param {Record<string, string>} leftOut */
 export function leftOutWords(leftOut) {
-  const which = Object.entries(leftOut).map(([name, why]) => `${name.replaceAll("_", " ")} (${why})`);
+  const which = Object.entries(leftOut).map(([name, why]) => `${sensorWithin(name)} (${why})`);
   if (!which.length) return t("result-left-out-none");
   return t("result-left-out", { count: which.length, which: which.join(", ") });
 }

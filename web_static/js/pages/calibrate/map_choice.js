@@ -8,6 +8,7 @@ import { t } from "../../texts.js";
 import { h } from "../../widgets/dom.js";
 import { segments } from "../../widgets/fields.js";
 import { number, percent } from "../../widgets/format.js";
+import { jointLabel } from "../../widgets/joint_words.js";
 
 /** @type {["in_phase" | "hit_rate" | "false_per_minute", (value: number) => string][]} */
 const ROWS = [
@@ -31,7 +32,7 @@ export function mapChoice({ name, label, map, guided, prior }, onMap) {
     guided?.offered && checkTables({ guided, prior: null }),
     prior?.offered && checkTables({ guided: null, prior }),
     segments(
-      t("result-maps-choose", { joint: label }),
+      t("result-maps-choose", { joint: jointLabel({ name, label }) }),
       offered.map((value) => ({ value, label: t(`result-maps-${value}`) })),
       map,
       (chosen) => onMap(name, chosen),

@@ -5,6 +5,7 @@
  */
 import { t } from "../../texts.js";
 import { h, s } from "../../widgets/dom.js";
+import { jointWithin } from "../../widgets/joint_words.js";
 
 const SIZE = 220; // px, width of the picture, in whose middle the ring is
 const HEIGHT = 128; // px
@@ -17,7 +18,7 @@ const MIRROR = 42; // px, half the length of the line about which the ring is mi
 
 /** @param {JointResult} joint @param {OnSitting} onSitting */
 export function sittingCard({ name, label, prior }, onSitting) {
-  const joint = label.toLowerCase();
+  const joint = jointWithin({ name, label });
   const { arrangement = {}, as_worn = {} } = prior ?? {};
   const turned = Object.values(arrangement).map((sits) => turnedCard(joint, sits));
   if (turned.length)

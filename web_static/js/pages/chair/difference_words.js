@@ -3,10 +3,13 @@
  * @import { BoundGestures, FieldDifference, GestureDifference, NamedGesture, Summary } from "types/api"
  */
 import { t } from "../../texts.js";
-import { number } from "../../widgets/format.js";
+import { anyOf, number, significant } from "../../widgets/format.js";
+import { TOGETHER } from "../../widgets/gestures.js";
+import { labelWords } from "../../widgets/joint_words.js";
 import { SPEEDS } from "../../widgets/speed_rows.js";
 
 const MOST_DIGITS = 9;
+const GAIN_DIGITS = 6; // significant
 const DIGITS = { cutoff: 1, cruise_time: 0, turn_cruise_time: 1 };
 
 /** A sentence. @param {Summary["differences"][number]} difference */
@@ -29,7 +32,7 @@ function fieldWords({ name, before, now }) {
   if (name === "profile" || name === "order") return t(`differs-${name}`);
   if (name === "mode_u1" || name === "mode_u2") {
     const how = `how-${name.slice(-2)}`;
-    return change(t(how), lowered(t(`${how}-${before}`)), lowered(t(`${how}-${now}`)));
+    return change(t(how), t(`differs-${how}-${before}`), t(`differs-${how}-${now}`));
   }
   const what = t(`speed-${name}`);
   const { unit, factor, digits } = SPEEDS.find((speed) => speed.name === name) ?? {
@@ -44,30 +47,31 @@ function fieldWords({ name, before, now }) {
 /** @param {GestureDifference} difference */
 function gestureWords({ gesture, feature, name, before, now }) {
   const label = named(gesture);
-  if (name === "feature") return change(label, lowered(t(featureKey(before))), lowered(t(featureKey(now))));
+  if (name === "feature") return change(label, t(featureKey(before)), t(featureKey(now)));
   if (name !== "dead_zone" && name !== "full") return t(`differs-gesture-${name}`, { gesture: label });
   const [old, fresh] = distinct(100 * Number(before), 100 * Number(now), 0);
-  const what = t(name === "full" ? "handle-full" : "handle-from");
-  return change(`${label} ${what}`, old, t(`handle-${feature}`, { value: fresh }));
+  const key = name === "full" ? "differs-gesture-full" : "differs-gesture-from";
+  return t(key, { gesture: label, before: old, now: t(`handle-${feature}`, { value: fresh }) });
 }
 
 /** @param {string | number | null} feature */
 function featureKey(feature) {
-  return feature === "rate" ? "tune-rate" : "tune-displacement";
+  return feature === "rate" ? "differs-gesture-moving" : "differs-gesture-holding";
 }
 
 /** @param {string} control @param {BoundGestures[]} bindings */
 function boundWords(control, bindings) {
-  const together = t(control === "stop" ? "control-and" : "control-or");
   const parts = bindings.map(({ gestures, gain }) => {
-    const words = gestures.map(named).join(together) || t("differs-nothing");
-    return t("differs-gain", { gestures: words, gain: short(gain) });
+    const names = gestures.map(named);
+    const words = (control === "stop" ? names.join(TOGETHER) : anyOf(names)) || t("differs-nothing");
+    return t("differs-gain", { gestures: words, gain: significant(gain, GAIN_DIGITS) });
   });
   return parts.join("; ") || t("differs-nothing");
 }
 
 /** @param {NamedGesture} gesture */
-function named({ joint, direction }) {
+function named({ joint: label, direction }) {
+  const joint = labelWords(label);
   return direction === 1 ? joint : t("gesture-back", { joint });
 }
 
@@ -83,14 +87,4 @@ function change(what, before, now) {
 function distinct(before, now, digits) {
   while (digits < MOST_DIGITS && number(before, digits) === number(now, digits)) digits += 1;
   return [number(before, digits), number(now, digits)];
-}
-
-/** At most six significant digits. @param {number} value */
-function short(value) {
-  return String(Number(value.toPrecision(6)));
-}
-
-/** @param {string} words */
-function lowered(words) {
-  return words.charAt(0).toLowerCase() + words.slice(1);
 }

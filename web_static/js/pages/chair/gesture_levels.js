@@ -5,20 +5,20 @@
  */
 import { t } from "../../texts.js";
 import { h } from "../../widgets/dom.js";
-import { gestureWords, jointLabels } from "../../widgets/gestures.js";
+import { gestureWithin, gestureWords, jointLabels, TOGETHER } from "../../widgets/gestures.js";
 
 const SHORTEST = 1.2; // FS/s or FS: the bar's end at least
 const SETTLED = 300; // ms: what changes sooner is not said in words
 
 /**
- * @param {DriveParameters} parameters what drives @param {(moving: string[]) => void} [onMoving] the gestures that count now, in words
+ * @param {DriveParameters} parameters what drives @param {(moving: string[]) => void} [onMoving] the gestures that count now, as words within a sentence
  */
 export function gestureLevels(parameters, onMoving) {
   const labels = jointLabels(parameters.profile);
   const rows = boundGestures(parameters).map(({ gesture, controls }) => {
-    const words = gestureWords(gesture, labels);
+    const words = gestureWithin(gesture, labels);
     const does = controls.map((control) => t(`control-${control}`)).join(", ");
-    return { gesture, words, ...levelBar(gesture, words, does) };
+    return { gesture, words, ...levelBar(gesture, gestureWords(gesture, labels), does) };
   });
   /** @type {string | null} */
   let words = null;
@@ -48,7 +48,7 @@ export function stopGesture({ profile, gestures, bindings }) {
   const labels = jointLabels(profile);
   const names = bindings.filter(({ control }) => control === "stop").flatMap((binding) => binding.gestures);
   const bound = names.flatMap((name) => gestures.find((gesture) => gesture.name === name) ?? []);
-  return bound.map((gesture) => gestureWords(gesture, labels).toLowerCase()).join(t("control-and"));
+  return bound.map((gesture) => gestureWithin(gesture, labels)).join(TOGETHER);
 }
 
 /** Each gesture that does something, with what it does; the stop gesture's parts among them. @param {DriveParameters} parameters */

@@ -22,10 +22,7 @@ export function neutralCard(live, signal) {
     used = hash;
     levels = gestureLevels(parameters, (moving) => {
       words.classList.toggle("moves", moving.length > 0);
-      write(
-        words,
-        moving.length ? t("neutral-moves", { gestures: moving.join(", ").toLowerCase() }) : t("neutral-rest"),
-      );
+      write(words, moving.length ? t("neutral-moves", { gestures: moving.join(", ") }) : t("neutral-rest"));
     });
     put(place, levels.element);
     write(stop, stopWords(parameters));

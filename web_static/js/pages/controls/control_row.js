@@ -8,7 +8,8 @@
 import { t } from "../../texts.js";
 import { h } from "../../widgets/dom.js";
 import { selection, segments, setting, stepper } from "../../widgets/fields.js";
-import { gestureFor, gestureWords, jointLabels } from "../../widgets/gestures.js";
+import { anyOf } from "../../widgets/format.js";
+import { gestureFor, gestureWithin, gestureWords, jointLabels, TOGETHER } from "../../widgets/gestures.js";
 import { handleBar } from "./handle_bar.js";
 import { icon } from "../../widgets/icons.js";
 
@@ -34,7 +35,8 @@ export function controlRow(control, draft, isOpen, onToggle) {
         gesture,
         bar: handleBar(gesture, words[i], (from, full) => draft.setHandles(gesture.name, from, full)),
       }));
-  const joined = words.join(t(isStop ? "control-and" : "control-or")).toLowerCase() || t("control-nothing");
+  const within = gestures.map((gesture) => gestureWithin(gesture, labels));
+  const joined = (isStop ? within.join(TOGETHER) : anyOf(within)) || t("control-nothing");
   /** @type {Threshold[]} */
   const steppers = [];
   const tuning = h("div", { hidden: !isOpen }, fineTune(control, binding, gestures, words, labels, draft, steppers));

@@ -50,7 +50,7 @@ export function handleBar(gesture, name, onChange) {
     for (const which of HANDLES) {
       const value = t(`handle-${gesture.feature}`, { value: number(100 * at[which], 0) });
       handles[which].style.left = words[which].style.left = `${share(at[which])}%`;
-      write(words[which], `${t(`handle-${which}`)} ${value}`);
+      write(words[which], t(`handle-value-${which}`, { value }));
       words[which].dataset.turn = turnOf(which, isCrowded, share(at[which]));
       set(handles[which], {
         "aria-valuemin": 0,

@@ -76,7 +76,7 @@ function leaderBar(asked) {
     const error = metres - asked;
     const tone = Math.abs(error) <= REFERENCE.numbers.leader_near ? "right" : error < 0 ? "near" : "far";
     element.dataset.tone = tone;
-    write(words, `${t("trial-behind", { distance: number(distance, 1) })}: ${t(`trial-behind-${tone}`)}`);
+    write(words, t(`trial-behind-${tone}`, { distance: number(distance, 1) }));
     element.style.setProperty("--at", `${Math.min(100, (50 * metres) / asked)}%`);
   };
   return { element, show };

@@ -3,7 +3,8 @@
  * "before → now", nothing that is empty.
  */
 import { hasText, t } from "../../texts.js";
-import { day, moment, percent, size } from "../../widgets/format.js";
+import { day, moment, percent, size, unrounded } from "../../widgets/format.js";
+import { jointWithin } from "../../widgets/joint_words.js";
 import { SPEEDS } from "../../widgets/speed_rows.js";
 import { differenceWords } from "../chair/difference_words.js";
 
@@ -36,8 +37,8 @@ function facts(details, codes) {
   return Object.entries(details)
     .filter(([, value]) => value !== null && value !== undefined && value !== "")
     .map(([name, value]) => {
-      if (name === "patient") return codes.get(Number(value)) ?? `patient ${value}`;
-      return `${nameWords(name)} ${valueWords(name, value, codes)}`;
+      if (name === "patient") return codes.get(Number(value)) ?? t("log-detail-patient", { number: Number(value) });
+      return t("log-detail", { name: nameWords(name), value: valueWords(name, value, codes) });
     });
 }
 
@@ -61,22 +62,24 @@ function nameWords(name) {
 
 /** @param {string} name of the detail @param {unknown} value @param {Map<number, string>} codes @returns {string} */
 function valueWords(name, value, codes) {
-  if (name === PATIENTS && value === null) return t("log-every-patient").toLowerCase();
-  if (value === null || value === undefined) return "none";
-  if (typeof value === "boolean") return value ? "yes" : "no";
+  if (name === PATIENTS && value === null) return t("log-value-every-patient");
+  if (value === null || value === undefined) return t("log-value-none");
+  if (typeof value === "boolean") return t(value ? "log-value-yes" : "log-value-no");
   if (Array.isArray(value))
     return (
       value.map((one) => (name === PATIENTS && codes.get(Number(one))) || valueWords(name, one, codes)).join(", ") ||
-      "none"
+      t("log-value-none")
     );
   if (isObject(value))
     return Object.entries(value)
-      .map(([inner, one]) => `${nameWords(inner)} ${valueWords(inner, one, codes)}`)
+      .map(([inner, one]) => t("log-detail", { name: nameWords(inner), value: valueWords(inner, one, codes) }))
       .join(", ");
   const key = `log-value-${name}-${value}`;
   if (hasText(key)) return t(key);
   if (name in WRITTEN) return WRITTEN[name](/** @type {string & number} */ (value));
-  return name === "joint" ? String(value).replaceAll("_", " ") : String(value);
+  if (typeof value === "number") return unrounded(value);
+  const words = String(value);
+  return name === "joint" ? jointWithin({ name: words, label: words.replaceAll("_", " ") }) : words;
 }
 
 /** @param {unknown} value @returns {value is Details} */

@@ -59,11 +59,7 @@ export function archiveImport(app, onImported, signal) {
 /** @param {ImportedView} imported */
 function whatCameIn({ code, is_new: isNew, sessions, trials, kept }) {
   if (!isNew && !kept) return t("import-known", { code });
-  const counts = {
-    sessions: t("patients-sessions", { count: sessions }),
-    trials: t("patients-trials", { count: trials }),
-  };
-  return kept ? t("import-replaced", { code, ...counts, kept }) : t("import-done", { code, ...counts });
+  return kept ? t("import-replaced", { code, sessions, trials, kept }) : t("import-done", { code, sessions, trials });
 }
 
 /** How far the import is, in figures and as a bar. @param {import("../../main.js").App} app @param {AbortSignal} signal */

@@ -170,7 +170,7 @@ async function agreedEnd(app, patient) {
     code: other.code,
     name: session.opened_by ?? "",
     time: minuteOfDay(session.started),
-    trials: t("patients-trials", { count: session.trials }),
+    trials: session.trials,
   });
   const answer = await ask(app.question, question, [
     { value: "end", label: t("patients-ends-go", { next: patient.code }), kind: "btn go" },

@@ -68,7 +68,7 @@ function comparisonWords(model, best) {
   const worse = model.aicc_more < CLEARLY_WORSE ? "review-model-as-well" : "review-model-worse";
   return t(worse, {
     model: t(`review-form-${model.form}`),
-    best: t(`review-form-${best.form}`).toLowerCase(),
+    best: t(`review-form-within-${best.form}`),
     amount: number(model.aicc_more, 1),
   });
 }

@@ -5,7 +5,7 @@
 import { t } from "../../texts.js";
 import { h, put, set, write } from "../../widgets/dom.js";
 import { segments } from "../../widgets/fields.js";
-import { number } from "../../widgets/format.js";
+import { number, unrounded } from "../../widgets/format.js";
 import { icon } from "../../widgets/icons.js";
 import { isWriting } from "../../shell/stop.js";
 
@@ -37,7 +37,7 @@ export function playBar(head, events, signal, more) {
   const shown = h("output", { class: "number", "aria-live": "off" });
   const speeds = segments(
     t("replay-speed"),
-    SPEEDS.map((speed) => ({ value: String(speed), label: `${speed}×` })),
+    SPEEDS.map((speed) => ({ value: String(speed), label: `${unrounded(speed)}×` })),
     "1",
     (speed) => head.setSpeed(Number(speed)),
   );

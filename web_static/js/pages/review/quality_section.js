@@ -6,6 +6,7 @@ import { t } from "../../texts.js";
 import { controlWarnings } from "../../results/control_warnings.js";
 import { h, put } from "../../widgets/dom.js";
 import { field, selection } from "../../widgets/fields.js";
+import { jointLabel } from "../../widgets/joint_words.js";
 import { chart, faint } from "../../charts/plotly.js";
 import { groupMark } from "../../results/source_group.js";
 import { OF_JOINT, QUALITIES } from "../../results/quality_card.js";
@@ -59,7 +60,10 @@ export async function qualitySection(app, patient, where, signal) {
         selection(
           [
             { value: ALL, label: t("quality-all-joints") },
-            ...Object.entries(found.labels).map(([value, label]) => ({ value, label })),
+            ...Object.entries(found.labels).map(([name, label]) => ({
+              value: name,
+              label: jointLabel({ name, label }),
+            })),
           ],
           joint,
           (value) => {
@@ -101,7 +105,7 @@ function qualityChart(trials, name, joint, signal) {
   /** @param {typeof rows[number]} row */
   const words = ({ trial, value }) =>
     [
-      `${t("quality-trial")} ${trial.number}: ${QUALITIES[name](value)}`,
+      t("review-trial-point", { number: trial.number, value: QUALITIES[name](value) }),
       t("quality-session", { number: trial.session }),
       t("quality-map", { number: trial.map_version }),
     ].join("<br>");

@@ -6,6 +6,7 @@ import { t } from "../../texts.js";
 import { h, put } from "../../widgets/dom.js";
 import { field, selection } from "../../widgets/fields.js";
 import { gestureWords } from "../../widgets/gestures.js";
+import { labelsOf, sensorName } from "../../widgets/joint_words.js";
 import { palette } from "../../shell/theme.js";
 import { timeChart } from "../../charts/time_chart.js";
 
@@ -35,7 +36,7 @@ export function replayCharts(line, head, signal) {
       head,
       colours,
     );
-  const labels = Object.fromEntries(line.joints.map(({ name, label }) => [name, label]));
+  const labels = labelsOf(line.joints);
   /** @param {"activation" | "rate" | "score"} column */
   const gestures = (column) => line.gestures.map((one) => ({ name: gestureWords(one, labels), values: one[column] }));
   const fixed = [
@@ -66,7 +67,7 @@ export function replayCharts(line, head, signal) {
   /** @param {string} name */
   const chooseJoint = (name) => {
     const joint = joints.find((one) => one.name === name) ?? joints[0];
-    const lines = joint.channels.map((channel) => ({ name: channel.name, values: channel.values }));
+    const lines = joint.channels.map((channel) => ({ name: sensorName(channel.name), values: channel.values }));
     signals = make(t("replay-signals", { shown: lines.length, of: joint.of }), "", lines, { digits: 3, height: 120 });
     put(place, signals.element);
     signals.draw();
@@ -83,7 +84,7 @@ export function replayCharts(line, head, signal) {
       field(
         t("replay-joint"),
         selection(
-          joints.map(({ name, label }) => ({ value: name, label })),
+          joints.map(({ name }) => ({ value: name, label: labels[name] })),
           joints[0].name,
           chooseJoint,
         ),

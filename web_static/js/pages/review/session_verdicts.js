@@ -46,10 +46,9 @@ function lackWords({ word, trials }, needed) {
 function comparison(compared, measure, needed, days) {
   const { earlier, later, trials, verdicts } = compared;
   const verdict = verdictWords(measure, verdicts[measure]);
-  const [first, second] = [earlier, later].map(
-    (one, place) => `${days.get(one)}, ${t("verdict-trials", { count: trials[place] })}`,
-  );
-  const title = t("verdict-sessions", { earlier, later, first, second });
+  const [earlierTrials, laterTrials] = trials;
+  const [earlierDay, laterDay] = [days.get(earlier), days.get(later)];
+  const title = t("verdict-sessions", { earlier, earlierDay, earlierTrials, later, laterDay, laterTrials });
   return h(
     "div",
     { class: "session-verdict" },

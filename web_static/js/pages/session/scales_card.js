@@ -6,7 +6,7 @@ import { textLimits } from "../../reference.js";
 import { t } from "../../texts.js";
 import { h, put } from "../../widgets/dom.js";
 import { field } from "../../widgets/fields.js";
-import { day } from "../../widgets/format.js";
+import { day, unrounded } from "../../widgets/format.js";
 import { scrollTable } from "../../widgets/scroll_table.js";
 
 /** @param {import("../../main.js").App} app @param {() => SessionRecordView} now @param {import("./session.js").Writing} writing */
@@ -19,7 +19,7 @@ export function scalesCard(app, now, { mayChange, change }) {
       "tr",
       {},
       h("th", { scope: "row" }, scale.name),
-      h("td", {}, String(scale.total)),
+      h("td", {}, unrounded(scale.total)),
       h("td", {}, day(scale.day)),
       mayChange && h("td", {}, removeButton(scale)),
     );

@@ -117,8 +117,6 @@ export function stateTag({ ended, sign_off: signed }) {
 
 /** @param {SessionRecordView} record */
 function leadWords({ started, opened_by: person, version }) {
-  const began = [t("record-began", { moment: moment(started) }), person && t("record-by", { person })]
-    .filter(Boolean)
-    .join(" ");
+  const began = t(person ? "record-began-by" : "record-began", { moment: moment(started), person });
   return `${began} · ${version ? t("record-version", { version }) : t("record-version-none")}`;
 }

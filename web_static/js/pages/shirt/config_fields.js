@@ -15,6 +15,7 @@
 import { t } from "../../texts.js";
 import { h } from "../../widgets/dom.js";
 import { field, segments, selection, stepper, toggle } from "../../widgets/fields.js";
+import { unrounded } from "../../widgets/format.js";
 import { addFile, fileField } from "./signal_files.js";
 
 const REPLAYED = new Set(["signals", "recording"]);
@@ -110,7 +111,7 @@ function offered({ title = "", description, unit = "", examples, enum: values },
   let chosen = value ?? all[0];
   const options = all.map((one) => ({
     value: String(one),
-    label: t("source-unit", { value: String(one), unit }).trim(),
+    label: t("source-unit", { value: typeof one === "number" ? unrounded(one) : String(one), unit }).trim(),
   }));
   const select = selection(
     options,

@@ -2,6 +2,7 @@
 import { t } from "../../texts.js";
 import { HEIGHT, LAYOUT_HEIGHT, outline, WIDTH } from "./body_outline.js";
 import { h, s, set } from "../../widgets/dom.js";
+import { labelsOf, sensorName } from "../../widgets/joint_words.js";
 import { lampPlaces, spread } from "./lamp_places.js";
 
 const SIZE = 8.7; // half the width of a lamp, in units of the outline: 24 px on a figure of 280 px
@@ -37,12 +38,6 @@ const STEPS = { ArrowRight: 1, ArrowDown: 1, ArrowLeft: -1, ArrowUp: -1 };
  * @typedef {ReturnType<typeof makeLamp>} Lamp
  */
 
-/** A channel's name for people: "Right elbow 3". @param {Channel} channel */
-export function sensorName({ name }) {
-  const words = name.replaceAll("_", " ");
-  return words.charAt(0).toUpperCase() + words.slice(1);
-}
-
 /** The sign of one quality, as it stands on the body and in the legend. @param {string} quality */
 export function lampSign(quality) {
   const { shape, sign } = QUALITIES[quality] ?? QUALITIES.silent;
@@ -55,7 +50,7 @@ export function lampSign(quality) {
  * @param {(name: string) => void} onPick
  */
 export function bodyLamps(layout, onPick) {
-  const labels = Object.fromEntries(layout.joints.map(({ name, label }) => [name, label]));
+  const labels = labelsOf(layout.joints);
   const places = lampPlaces(layout.channels).map((place) => ({ ...place, at: inDrawing(place.position) }));
   for (const side of SIDES)
     spread(
@@ -100,7 +95,7 @@ export function bodyLamps(layout, onPick) {
       lamp.element.replaceChildren(...lampSign(quality));
       set(lamp.element, {
         "data-quality": quality,
-        "aria-label": `${sensorName(lamp.channel)}, ${labels[lamp.channel.joint]}: ${t(`quality-${quality}`)}`,
+        "aria-label": `${sensorName(lamp.channel.name)}, ${labels[lamp.channel.joint]}: ${t(`quality-${quality}`)}`,
       });
     }
   };

@@ -3,8 +3,9 @@ import { t } from "../../texts.js";
 import { h, put, s, set, write } from "../../widgets/dom.js";
 import { toggle } from "../../widgets/fields.js";
 import { number } from "../../widgets/format.js";
+import { sensorName } from "../../widgets/joint_words.js";
 import { drawTraces, QUIET_SPAN } from "../../charts/joint_strips.js";
-import { LAMP_BOX, lampSign, sensorName } from "./lamps.js";
+import { LAMP_BOX, lampSign } from "./lamps.js";
 import { TraceCanvas } from "../../charts/traces.js";
 
 /**
@@ -13,7 +14,7 @@ import { TraceCanvas } from "../../charts/traces.js";
  * @param {(isUnused: boolean) => void} onUnused
  */
 export function sensorCard(app, { channel, index, joint, isUnused, signal }, onUnused) {
-  const canvas = new TraceCanvas({ label: t("sensor-trace", { name: sensorName(channel) }), height: 96 });
+  const canvas = new TraceCanvas({ label: t("sensor-trace", { name: sensorName(channel.name) }), height: 96 });
   const lamp = s("svg", { viewBox: LAMP_BOX, width: 26, height: 26, "aria-hidden": "true" });
   const quality = h("b", {});
   const words = h("p", { class: "small", "aria-live": "polite" }); // figures are not live: they change all the time
@@ -49,8 +50,8 @@ export function sensorCard(app, { channel, index, joint, isUnused, signal }, onU
       h(
         "div",
         { class: "grow" },
-        h("h2", {}, sensorName(channel)),
-        h("span", { class: "quiet small" }, t("sensor-joint", { joint: joint.toLowerCase() })),
+        h("h2", {}, sensorName(channel.name)),
+        h("span", { class: "quiet small" }, t("sensor-joint", { joint })),
       ),
       quality,
     ),

@@ -11,6 +11,7 @@ import { bodyForm, bodyWords } from "./body_form.js";
 import { h, put, s, set, write } from "../../widgets/dom.js";
 import { headActions, headForm, headWords } from "./head_card.js";
 import { jointStrips } from "../../charts/joint_strips.js";
+import { jointWithin } from "../../widgets/joint_words.js";
 import { bodyLamps, LAMP_BOX, lampSign, QUALITIES } from "./lamps.js";
 import { pads } from "../../widgets/pads.js";
 import { replacedList } from "../../widgets/replaced_list.js";
@@ -126,7 +127,9 @@ export async function show(app, root, { signal }) {
     const index = channels.findIndex(({ name }) => name === picked);
     if (index < 0) return null;
     const channel = channels[index];
-    const joint = joints.find(({ name }) => name === channel.joint)?.label ?? channel.joint;
+    const joint = jointWithin(
+      joints.find(({ name }) => name === channel.joint) ?? { name: channel.joint, label: channel.joint },
+    );
     /** @param {boolean} isUnused */
     const mark = async (isUnused) => {
       const others = equipment.unused.filter((name) => name !== picked);
