@@ -7432,6 +7432,8 @@ export interface components {
             large: boolean;
             /** @default false */
             plan: boolean;
+            /** @default null */
+            language: string | null;
         };
         ScreenStateView: {
             /** @enum {string} */

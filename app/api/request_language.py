@@ -1,4 +1,7 @@
-"""The language of a request: the reader's choice in a cookie, otherwise what the browser asks for."""
+"""The language of a request: named in its address, the reader's choice in a cookie, or what the browser asks for.
+
+The patient's screen names its language in the address: it may stand in the same browser as the clinician's page.
+"""
 
 from collections.abc import Iterator
 from typing import Final
@@ -11,6 +14,7 @@ from app.api.sign_in.cookies import read_cookie, set_cookie
 from app.texts import ENGLISH, LANGUAGES, reader_language
 
 COOKIE: Final = "language"
+IN_ADDRESS: Final = "language"  # of the query
 KEPT_FOR: Final = 31_536_000  # s: a year
 
 
@@ -31,9 +35,9 @@ class RequestLanguage:
 
 def language_of(request: HTTPConnection) -> str:
     """Return the language of a request, English where it names none of LANGUAGES."""
-    chosen = read_cookie(request, COOKIE)
-    if chosen in LANGUAGES:
-        return chosen
+    for chosen in (request.query_params.get(IN_ADDRESS), read_cookie(request, COOKIE)):
+        if chosen in LANGUAGES:
+            return chosen
     return next(_wanted(request.headers.get("accept-language", "")), ENGLISH)
 
 

@@ -3,9 +3,9 @@
 import hashlib
 import secrets
 from datetime import timedelta
-from typing import Literal
+from typing import Annotated, Literal
 
-from pydantic import StrictBool
+from pydantic import Field, StrictBool
 from sqlalchemy import func, select
 from sqlalchemy.orm import Session
 
@@ -31,6 +31,7 @@ class ScreenSettings(Document):
     sounds: StrictBool = False
     large: StrictBool = False  # larger text
     plan: StrictBool = False  # the drawn plan from above instead of the 3D view
+    language: Annotated[str, Field(max_length=8)] | None = None  # the patient's; None: that of the screen's browser
 
 
 def _hash(token: str) -> str:
@@ -114,8 +115,14 @@ def unpair_screen(db: Session, screen_id: int, person: str) -> None:
 
 
 def screen_settings_of(db: Session, session_id: int) -> ScreenSettings:
-    """Return the settings of a session's screens."""
-    return ScreenSettings.model_validate(db.get_one(PatientSession, session_id).screen or {})
+    """Return the settings of a session's screens; the language is at first that of the patient's session before."""
+    session = db.get_one(PatientSession, session_id)
+    if session.screen is not None:
+        return ScreenSettings.model_validate(session.screen)
+    of_patient = select(PatientSession.screen).where(PatientSession.patient_id == session.patient_id)
+    sessions = db.scalars(of_patient.order_by(PatientSession.number.desc()))
+    before = next((screen for screen in sessions if screen is not None), {})
+    return ScreenSettings(language=ScreenSettings.model_validate(before).language)
 
 
 def set_screen_settings(db: Session, session_id: int, settings: ScreenSettings) -> None:

@@ -16,9 +16,16 @@ def three_languages(monkeypatch):
     monkeypatch.setattr(request_language, "LANGUAGES", ("en", "es", "de"))
 
 
-def request(**headers):
+def request(query="", **headers):
     sent = [(name.replace("_", "-").encode(), value.encode("latin-1")) for name, value in headers.items()]
-    return {"type": "http", "scheme": "http", "method": "GET", "path": "/", "headers": sent}
+    return {
+        "type": "http",
+        "scheme": "http",
+        "method": "GET",
+        "path": "/",
+        "query_string": query.encode(),
+        "headers": sent,
+    }
 
 
 @pytest.mark.parametrize(
@@ -31,6 +38,8 @@ def request(**headers):
         ({"accept_language": "de;q=much, es"}, "es"),
         ({"accept_language": "de", "cookie": "language=es"}, "es"),
         ({"accept_language": "de", "cookie": "language=xx; other=es"}, "de"),
+        ({"query": "language=es", "cookie": "language=de"}, "es"),
+        ({"query": "language=xx", "cookie": "language=de"}, "de"),
     ],
 )
 def test_the_choice_counts_before_what_the_browser_asks_for(headers, language):

@@ -6,6 +6,8 @@
 import { Api, ApiError, FORBIDDEN, failureWords } from "./api.js";
 import { Live } from "./live/live.js";
 import { h, put } from "./widgets/dom.js";
+import { LANGUAGE } from "./language.js";
+import { chooseLanguage } from "./widgets/language_choice.js";
 import { Lock } from "./shell/lock.js";
 import { focusAgain, keepFocus } from "./shell/focus_keeper.js";
 import { haltFollower } from "./shell/halt.js";
@@ -285,6 +287,7 @@ export class App extends TypedEvents {
     this.session = session;
     this.dispatchEvent(new Event("session"));
     if (me?.signed_in) {
+      if (me.language !== LANGUAGE) chooseLanguage(this, me.language); // of this person, who is new to this browser
       this.live.open();
       this.screen.open();
       this.#lookForWarning();

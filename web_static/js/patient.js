@@ -1,6 +1,7 @@
 /** The page of the patient's screen: paired by a link, shown during the session, with a word of thanks at its end. */
 import { readReference } from "./reference.js";
 import { Api, failureWords } from "./api.js";
+import { LANGUAGE } from "./language.js";
 import { Live } from "./live/live.js";
 import { h, put, write } from "./widgets/dom.js";
 import { field } from "./widgets/fields.js";
@@ -17,7 +18,7 @@ const LONGEST_PAUSE = 5000; // ms
 class PatientPage {
   #api = new Api({ signedOut: () => {} });
   /** @type {Live<import("./live/live.js").PatientMessage>} */
-  #live = new Live("/api/v1/patient/live");
+  #live = new Live(`/api/v1/patient/live?language=${LANGUAGE}`);
   #screen = new AbortController();
   #root = h("main", { class: "patient" });
   #practice = practiceMark();
@@ -32,7 +33,10 @@ class PatientPage {
     // After either event the pairing may have ended: ask the server for its state.
     this.#live.addEventListener("changed", ({ detail }) => detail === "sign-in" && this.#ask());
     this.#live.addEventListener("connection", () => !this.#live.connected && this.#ask());
-    this.#live.addEventListener("tick", ({ detail }) => this.#practice.show(detail.practice));
+    this.#live.addEventListener("tick", ({ detail }) => {
+      this.#practice.show(detail.practice);
+      useLanguage(detail.asks.language);
+    });
     window.addEventListener("hashchange", () => this.enter());
     await this.enter();
   }
@@ -105,6 +109,12 @@ class PatientPage {
       h("section", { class: "calm", role: "status" }, h("h1", {}, title), h("p", {}, lead), h("p", {}, next)),
     );
   }
+}
+
+/** Load the page again in the language that the clinician chose. @param {string | null} language null: the browser's */
+function useLanguage(language) {
+  const search = language ? `?language=${language}` : "";
+  if (location.search !== search) location.replace(`${location.pathname}${search}`);
 }
 
 /**

@@ -98,7 +98,7 @@ def _me(settings: Settings, database: Database, name: str | None, role: str | No
         demo=settings.demo,
         needs_setup=needs_setup,
         version=__version__,
-        language=chosen or current_language(),
+        language=chosen if chosen in LANGUAGES else current_language(),
         languages=LANGUAGES,
     )
 

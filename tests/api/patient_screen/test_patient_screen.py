@@ -185,3 +185,12 @@ def test_there_is_an_end_to_screens(paired: Clinic) -> None:
         assert pair(paired, code_of(paired)).status_code == 200
     only(paired, "bodydrive_sign_in")
     assert "unpair one" in pair(paired, code_of(paired)).json()["detail"]
+
+
+def test_the_language_of_the_screen_is_that_of_the_patients_session_before(in_session: Clinic) -> None:
+    settings = in_session.good("GET", "/patient-screen")["settings"]
+    in_session.good("POST", "/patient-screen/settings", json=settings | {"language": "es", "large": True})
+    patient = in_session.good("GET", "/session")["patient"]["id"]
+    in_session.good("DELETE", "/session")
+    in_session.good("POST", "/session", json={"patient_id": patient})
+    assert in_session.good("GET", "/patient-screen")["settings"] == settings | {"language": "es"}

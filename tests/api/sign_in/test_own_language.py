@@ -4,12 +4,12 @@ import pytest
 from api.fake_clinic import Clinic, sentence_of
 
 from app.api import request_language
-from app.api.sign_in import own_language
+from app.api.sign_in import auth, own_language
 
 
 @pytest.fixture(autouse=True)
 def three_languages(monkeypatch: pytest.MonkeyPatch) -> None:
-    for module in (own_language, request_language):
+    for module in (auth, own_language, request_language):
         monkeypatch.setattr(module, "LANGUAGES", ("en", "es", "de"))
 
 

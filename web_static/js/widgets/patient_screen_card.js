@@ -5,9 +5,10 @@
 import { t } from "../texts.js";
 import { copyText } from "./clipboard.js";
 import { h, put, write } from "./dom.js";
-import { toggle } from "./fields.js";
+import { field, selection, toggle } from "./fields.js";
 import { moment } from "./format.js";
 import { icon } from "./icons.js";
+import { languageOptions } from "./language_choice.js";
 import { rowList } from "./list.js";
 import { pictureOf } from "./one_time_key.js";
 
@@ -46,12 +47,21 @@ export async function patientScreenCard(app, signal, { isPage = false } = {}) {
     shown = read;
     list.show(read.screens.map(row));
     const hadFocus = wishes.contains(document.activeElement);
-    const at = [...wishes.querySelectorAll("input")].findIndex((input) => input === document.activeElement);
+    const at = [...wishes.querySelectorAll("input, select")].findIndex((input) => input === document.activeElement);
     put(
       wishes,
       WISHES.map((wish) => toggle(t(`screens-${wish}`), read.settings[wish], (on) => choose({ [wish]: on }))),
+      languageOf(read.settings),
     );
-    if (hadFocus) wishes.querySelectorAll("input")[at]?.focus();
+    if (hadFocus) /** @type {NodeListOf<HTMLElement>} */ (wishes.querySelectorAll("input, select"))[at]?.focus();
+  };
+  /** @param {ScreenSettings} settings */
+  const languageOf = ({ language }) => {
+    const languages = app.me?.languages ?? [];
+    if (languages.length < 2) return null;
+    const options = [{ value: "", label: t("language-of-browser") }, ...languageOptions(languages)];
+    const select = selection(options, language ?? "", (chosen) => choose({ language: chosen || null }));
+    return field(t("language-screen"), select);
   };
   /** Draw what a call answers. @param {Promise<ScreensView>} answer @returns {Promise<boolean | undefined>} whether it was done */
   const call = (answer) =>

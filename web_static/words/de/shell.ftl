@@ -132,3 +132,13 @@ setup-go = Einrichten und anmelden
 nobody-title = Keine Sitzung offen
 nobody-lead = Wählen Sie einen Patienten. Damit beginnt eine Sitzung, und diese Seite zeigt sie.
 nobody-go = Patient wählen
+
+## The choice of the language. Each language has its own name, in all files the same.
+
+language-title = Sprache
+language-lead = Dieser Seiten, für Sie und für diesen Browser.
+language-screen = Sprache des Patientenbildschirms
+language-of-browser = Wie der Browser des Bildschirms
+language-en = English
+language-es = Español
+language-de = Deutsch

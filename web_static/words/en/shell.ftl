@@ -132,3 +132,13 @@ setup-go = Set up and sign in
 nobody-title = No session is open
 nobody-lead = Choose a patient: that starts a session, and this page shows it.
 nobody-go = Choose a patient
+
+## The choice of the language. Each language has its own name, in all files the same.
+
+language-title = Language
+language-lead = Of these pages, for you and for this browser.
+language-screen = Language of the patient's screen
+language-of-browser = As the screen's browser
+language-en = English
+language-es = Español
+language-de = Deutsch

@@ -136,3 +136,13 @@ setup-go = Configurar y entrar
 nobody-title = No hay ninguna sesión abierta
 nobody-lead = Elija un paciente: así empieza una sesión, y esta página la muestra.
 nobody-go = Elegir un paciente
+
+## The choice of the language. Each language has its own name, in all files the same.
+
+language-title = Idioma
+language-lead = De estas páginas, para usted y para este navegador.
+language-screen = Idioma de la pantalla del paciente
+language-of-browser = El del navegador de la pantalla
+language-en = English
+language-es = Español
+language-de = Deutsch

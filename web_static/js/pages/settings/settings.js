@@ -1,6 +1,7 @@
 /** Settings: what the owner allows here, and the chairs and screens that are paired. Others see them, and change nothing. */
 import { chairsCard } from "./chairs_card.js";
 import { h, put } from "../../widgets/dom.js";
+import { languageChoice } from "../../widgets/language_choice.js";
 import { limitsCard } from "./limits_card.js";
 import { passwordCard } from "./password_card.js";
 import { patientScreenCard } from "../../widgets/patient_screen_card.js";
@@ -30,6 +31,7 @@ export async function show(app, root, { signal }) {
     isOwner && linkedCard("log-lead", "rail-log", "#/log", "log-settings-go"),
     isOwner && linkedCard("computer-lead", "rail-computer", "#/computer", "computer-settings-go"),
     isOwner && linkedCard("backup-lead", "rail-backup", "#/backup", "backup-settings-go"),
+    languageCard(app),
     !app.me?.demo && passwordCard(app),
   ];
   put(
@@ -41,6 +43,21 @@ export async function show(app, root, { signal }) {
       h("p", { class: "lead" }, t("settings-lead"), !isOwner && ` ${t("settings-read-only")}`),
       h("div", { class: "settings-columns" }, limits, h("div", { class: "stack" }, right)),
     ),
+  );
+}
+
+/** @param {import("../../main.js").App} app */
+function languageCard(app) {
+  const choice = languageChoice(app);
+  return (
+    choice &&
+    h(
+      "section",
+      { class: "card" },
+      h("h2", {}, t("language-title")),
+      h("p", { class: "quiet small" }, t("language-lead")),
+      choice,
+    )
   );
 }
 

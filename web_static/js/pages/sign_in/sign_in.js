@@ -4,6 +4,7 @@ import { h, put, set, write } from "../../widgets/dom.js";
 import { field } from "../../widgets/fields.js";
 import { passwordField } from "../../shell/password_field.js";
 import { failureWords } from "../../api.js";
+import { languageChoice } from "../../widgets/language_choice.js";
 import { t } from "../../texts.js";
 
 /** @param {import("../../main.js").App} app @param {HTMLElement} root */
@@ -52,6 +53,7 @@ export async function show(app, root) {
       { class: "door card" },
       h("h1", { tabindex: "-1" }, t("sign-in-title")),
       h("p", { class: "lead" }, t("sign-in-lead")),
+      languageChoice(app),
       app.me?.demo ? h("p", {}, t("sign-in-demo")) : [form, h("p", { class: "quiet small" }, t("sign-in-invited"))],
     ),
   );

@@ -1,0 +1,143 @@
+### The kinds of shirts on the Shirt page; what shirts say of themselves, and why one cannot be used.
+
+## The form of each kind of shirt: its title, what it is, how it is named when it is in use, its fields.
+
+shirtdev-rate = Datenpakete pro Sekunde
+shirtdev-file = Datei
+shirtdev-key = Schlüssel
+# In “ ” stands a command, which is not translated.
+shirtdev-key-hint = Nur ein Shirt mit Schlüssel darf einen echten Rollstuhl fahren. „bodydrive shirt pair“ auf diesem Rechner erstellt einen.
+# The document that names the shirt's sensors.
+shirtdev-layout = Layout
+shirtdev-layout-hint = Eine JSON-Datei, die die Sensoren benennt. Ohne Datei bleibt das jetzige Layout.
+shirtdev-simulator-title = Simuliertes Shirt
+shirtdev-simulator-about = Ein Stoff mit 52 Sensoren, berechnet aus dem Körper darin.
+shirtdev-simulator-in-use = Simuliertes Shirt, { $rate } Datenpakete pro Sekunde
+# A number from 1 to 999; each is a shirt with other sensors.
+shirtdev-simulator-seed = Welches simulierte Shirt
+shirtdev-simulator-sensors = Seine Sensoren
+shirtdev-simulator-all-work = Alle funktionieren
+shirtdev-simulator-two-dead = Zwei sind defekt
+shirtdev-replay-title = Wiedergabe einer Datei
+shirtdev-replay-about = Früher aufgezeichnete Signale, abgespielt, als kämen sie jetzt.
+shirtdev-replay-in-use = Wiedergabe von { $file }
+shirtdev-replay-loop = Am Ende von vorn beginnen
+shirtdev-udp-title = Ein Shirt über das Netz
+shirtdev-udp-about = Datenpakete, die über UDP auf diesem Rechner ankommen.
+shirtdev-udp-in-use = Shirt über das Netz auf Port { $port }
+# An address of this machine.
+shirtdev-udp-host = Empfangen auf
+shirtdev-udp-port = Port
+
+## Why a shirt may not drive a real chair.
+
+shirtdev-nobody-wears = Mit einem simulierten oder abgespielten Shirt lässt sich kein echter Rollstuhl freigeben, denn niemand trägt es. Wählen Sie auf der Seite „Shirt“ das Shirt, das der Patient trägt.
+shirtdev-nobody-proves = Mit dieser Quelle lässt sich kein echter Rollstuhl freigeben, denn nichts belegt, wessen Bewegungen sie zeigt. Wählen Sie auf der Seite „Shirt“ das Shirt, das der Patient trägt.
+shirtdev-no-key = Mit einem Shirt ohne Schlüssel lässt sich kein echter Rollstuhl freigeben, denn jedes Gerät im Netz könnte Datenpakete an seiner Stelle senden. Koppeln Sie das Shirt (bodydrive shirt pair), und wählen Sie dann auf der Seite „Shirt“ seinen Schlüssel.
+
+## What shirts say of themselves, and why one cannot be opened.
+
+shirtdev-no-standard = { $file }: das Standard-Shirt lässt sich nicht lesen ({ $why }); installieren Sie das Programm neu
+shirtdev-no-channel = das Shirt „{ $shirt }“ hat keinen Kanal „{ $channel }“, der defekt sein könnte; korrigieren Sie den Namen
+
+shirtdev-simulator-closed = Das simulierte Shirt ist geschlossen.
+# $rate is the count of frames a second.
+shirtdev-simulator-empty = Simuliertes Shirt, { $sensors } Sensoren mit { $rate } Hz, ohne Körper darin.
+shirtdev-simulator = Simuliertes Shirt, { $sensors } Sensoren mit { $rate } Hz, mit einem simulierten Körper darin.
+
+shirtdev-replay-closed = Die Wiedergabe ist geschlossen.
+shirtdev-replay-ended = Die Wiedergabe von { $file } ist zu Ende. Starten Sie sie noch einmal, oder lassen Sie sie am Ende von vorn beginnen.
+# $note is a further sentence: what was mended, or is missing, in the times of the file.
+shirtdev-replay =
+    Wiedergabe von { $file }, { $sensors } Sensoren mit { $rate } Hz, { $played } s von { $length } s.{ $note ->
+        [none] {""}
+       *[other] {" "}{ $note }
+    }
+shirtdev-replay-failed = { $file }: das lässt sich nicht lesen ({ $why }); prüfen Sie es
+# $layout is the name of a file.
+shirtdev-file-no-joint = { $file }: nirgends steht, zu welchem Gelenk die Spalte „{ $column }“ gehört; legen Sie das Layout des Shirts als { $layout } neben die Datei, oder benennen Sie die Spalten wie right_elbow_1
+shirtdev-recording-short =
+    { $folder }: diese Aufzeichnung enthält nur { $frames ->
+        [one] { $frames } Datenpaket
+       *[other] { $frames } Datenpakete
+    } eines Shirts; nennen Sie eine längere
+shirtdev-recording-times = { $folder }: die Zeiten dieser Aufzeichnung steigen nicht; nennen Sie eine andere
+shirtdev-recording-channels = { $folder }: diese Aufzeichnung hat { $channels } Kanäle und ihr Layout { $named }; nennen Sie eine andere
+shirtdev-recording-rate = { $folder }: in dieser Aufzeichnung steht nicht, mit welcher Abtastrate sie entstand; nennen Sie eine andere
+
+# $problem is a message device-key-...
+shirtdev-not-opened = das Shirt lässt sich nicht verwenden: { $problem }
+shirtdev-udp-no-address = das Shirt lässt sich auf { $host } nicht empfangen, das ist keine Adresse; korrigieren Sie sie
+shirtdev-udp-failed = das Shirt lässt sich auf { $place } nicht empfangen ({ $why }); verwenden Sie eine Adresse dieses Rechners und einen freien Port
+# $trouble is a message shirtdev-newest-not-stored or shirtdev-frame-...
+shirtdev-udp-closed =
+    Der Empfang des Shirts ist aus{ $trouble ->
+        [none] {""}
+       *[other] {" "}({ $trouble })
+    }.
+# $sender and $stranger are addresses. Left out are frames that do not count.
+shirtdev-udp-silent =
+    Keine Datenpakete von { $sender ->
+        [unknown] einem Shirt
+       *[other] { $sender }
+    } auf { $place }{ $trouble ->
+        [none] {""}
+       *[other] {" "}({ $trouble })
+    }{ $other ->
+        [0] {""}
+        [one] , { $other } Datenpaket eines anderen Senders ({ $stranger }) ausgelassen
+       *[other] , { $other } Datenpakete eines anderen Senders ({ $stranger }) ausgelassen
+    }{ $repeated ->
+        [0] {""}
+        [one] , { $repeated } wiederholtes Datenpaket ausgelassen
+       *[other] , { $repeated } wiederholte Datenpakete ausgelassen
+    }{ $late ->
+        [0] {""}
+        [one] , { $late } verspätetes Datenpaket ausgelassen
+       *[other] , { $late } verspätete Datenpakete ausgelassen
+    }.
+# $refused counts datagrams (packets of the network) that hold no good frame of this shirt.
+shirtdev-udp =
+    Shirt auf { $place } von { $sender }, { $sensors } Sensoren{ $lost ->
+        [0] {""}
+        [one] , { $lost } Datenpaket verloren
+       *[other] , { $lost } Datenpakete verloren
+    }{ $refused ->
+        [0] {""}
+        [one] , { $refused } Datagramm abgelehnt{ $trouble ->
+            [none] {""}
+           *[other] {" "}({ $trouble })
+        }
+       *[other] , { $refused } Datagramme abgelehnt{ $trouble ->
+            [none] {""}
+           *[other] {" "}({ $trouble })
+        }
+    }{ $other ->
+        [0] {""}
+        [one] , { $other } Datenpaket eines anderen Senders ({ $stranger }) ausgelassen
+       *[other] , { $other } Datenpakete eines anderen Senders ({ $stranger }) ausgelassen
+    }{ $repeated ->
+        [0] {""}
+        [one] , { $repeated } wiederholtes Datenpaket ausgelassen
+       *[other] , { $repeated } wiederholte Datenpakete ausgelassen
+    }{ $late ->
+        [0] {""}
+        [one] , { $late } verspätetes Datenpaket ausgelassen
+       *[other] , { $late } verspätete Datenpakete ausgelassen
+    }.
+
+# So that no old frame drives, the number of the newest one is stored in a file.
+shirtdev-newest-unknown = { $file }: nirgends steht, welches Datenpaket dieses Shirts das neueste war, und ein altes darf nicht fahren; koppeln Sie das Shirt neu
+
+## Why frames are not used: each stands in brackets, behind what is left out.
+
+shirtdev-newest-not-stored = die Nummer des neuesten Datenpakets lässt sich nicht speichern ({ $why }); schaffen Sie Speicherplatz
+shirtdev-frame-late = seine Datenpakete kommen { $delay } s zu spät an, und ein verspätetes zählt nicht; bringen Sie das Shirt näher an seinen Empfänger, und prüfen Sie, was das Netz sonst noch nutzt
+shirtdev-frame-short = ein Datagramm von { $size } Byte ist zu kurz für ein Datenpaket
+shirtdev-frame-foreign = was ankommt, stammt nicht von einem Shirt
+shirtdev-frame-version = das Shirt sendet Version { $version } des Formats, verstanden wird Version { $understood }
+shirtdev-frame-flags = das Shirt verwendet Flags, die nicht verstanden werden ({ $flags })
+shirtdev-frame-sensors = das Shirt sendet { $sent } Sensoren, sein Layout hat { $expected }; verwenden Sie das Layout dieses Shirts
+shirtdev-frame-needs-key = das Shirt signiert seine Datenpakete; wählen Sie seinen Schlüssel
+shirtdev-frame-not-signed = ein Datenpaket war nicht mit dem Schlüssel dieses Shirts signiert oder kam beschädigt an
+shirtdev-frame-damaged = ein Datenpaket kam beschädigt an
