@@ -70,7 +70,8 @@ def test_a_prompt_of_the_calibration_is_a_cue(paired: Clinic) -> None:
 def test_what_the_clinician_asks_for_is_shown_and_kept_for_the_session(paired: Clinic) -> None:
     wishes = {"arrow": True, "sounds": False, "large": True, "plan": False, "language": None}
     with paired.socket("/patient/live") as socket:
-        assert socket.receive_json()["asks"] == {"arrow": False, "sounds": False, "large": False, "plan": False, "language": None}
+        asked = {"arrow": False, "sounds": False, "large": False, "plan": False, "language": None}
+        assert socket.receive_json()["asks"] == asked
         assert paired.good("POST", "/patient-screen/settings", json=wishes)["settings"] == wishes
         next_message(socket, lambda m: m["asks"] == wishes)
     paired.parts[PatientPicture].settings = ScreenSettings()  # as after a restart
