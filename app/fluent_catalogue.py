@@ -5,6 +5,7 @@ Only `app/texts.py` imports it, when the first sentence is made: the control pro
 
 from collections.abc import Sequence
 from datetime import date, datetime, time
+from decimal import localcontext
 from functools import cache
 from typing import Any, Final
 
@@ -19,6 +20,7 @@ from app.settings import static_folder
 
 LARGEST: Final = 1e9  # of a number that Fluent writes
 MINUS: Final = "\u2212"
+DIGITS: Final = 350  # of the largest number with its decimals: Babel refuses to round a longer one
 LOCALES: Final = {"en": "en_GB"}  # for dates and lists, where it is not the language: "a, b and c"
 DAYS: Final = {"en": "yyyy-MM-dd"}  # how a day is written, where it is not the usual way of the language
 resolver.MAX_PART_LENGTH = 1_000_000  # characters of a value; with more, the whole message would be "{???}"
@@ -28,7 +30,8 @@ def sentence(language: str, message: str, values: dict[str, Any]) -> str:
     """Return a message with its values in a language; its id where the catalogue has no such message."""
     bundle = _bundle(language)
     pattern = bundle.get_message(message).value if bundle.has_message(message) else None
-    return message if pattern is None else str(bundle.format_pattern(pattern, values)[0])
+    with localcontext(prec=DIGITS):
+        return message if pattern is None else str(bundle.format_pattern(pattern, values)[0])
 
 
 def number(value: float) -> Any:
