@@ -7,6 +7,7 @@ from collections.abc import Sequence
 from datetime import date, datetime, time
 from decimal import localcontext
 from functools import cache
+from math import isfinite
 from typing import Any, Final
 
 from babel import Locale
@@ -18,7 +19,6 @@ from fluent.runtime.types import FluentType, fluent_number
 
 from app.settings import static_folder
 
-LARGEST: Final = 1e9  # of a number that Fluent writes
 MINUS: Final = "\u2212"
 DIGITS: Final = 350  # of the largest number with its decimals: Babel refuses to round a longer one
 LOCALES: Final = {"en": "en_GB"}  # for dates and lists, where it is not the language: "a, b and c"
@@ -35,8 +35,8 @@ def sentence(language: str, message: str, values: dict[str, Any]) -> str:
 
 
 def number(value: float) -> Any:
-    """Return a number as it is, by which a message may choose a plural; Babel cannot write one of very many digits."""
-    if not abs(value) < LARGEST:
+    """Return a number as it is, by which a message may choose a plural, or which it groups by thousands."""
+    if not isfinite(value):
         return str(value)
     return fluent_number(value, useGrouping=False, maximumFractionDigits=15)
 

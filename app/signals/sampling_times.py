@@ -233,16 +233,10 @@ def _refuse_units(t: NDArray[np.float64], period: float, path: Path) -> None:
         like = [(unit, size) for unit, size in UNITS if fast <= period * size <= slow]
         if like:
             units = [Text("signals-unit", unit=unit, rate=_rounded(1.0 / (period * size), 4)) for unit, size in like]
-            factors = [size for _, size in like]
+            step |= {"unit": units[0], "factor": like[0][1]}
             if len(like) == 1:
-                raise ValueError(Text("signals-unit-other", **step, unit=units[0], factor=factors[0]))
-            two: dict[str, Value] = {
-                "unit": units[0],
-                "or_unit": units[-1],
-                "factor": factors[0],
-                "or_factor": factors[-1],
-            }
-            raise ValueError(Text("signals-unit-one-of-two", **step, **two))
+                raise ValueError(Text("signals-unit-other", **step))
+            raise ValueError(Text("signals-unit-one-of-two", **step, or_unit=units[1], or_factor=like[1][1]))
         if period > slow:
             raise ValueError(Text("signals-unit-or-slow", **step, slowest=SLOWEST, fastest=FASTEST))
         raise ValueError(Text("signals-unit-or-fast", **step, slowest=SLOWEST, fastest=FASTEST))

@@ -78,7 +78,7 @@ def signals_of_run(run: RunRecording, path: Path, layout: ShirtLayout | None = N
     try:
         names = ShirtLayout.model_validate_json(json.dumps(layout_document)).channel_names
     except ValidationError as error:
-        raise ValueError(one_sentence(error, str(Text("signals-layout-place", file=str(path))))) from error
+        raise ValueError(one_sentence(error, Text("signals-layout-place", file=str(path)))) from error
     chosen_names = names if layout is None else layout.channel_names
     if missing := [name for name in chosen_names if name not in names]:
         raise ValueError(_missing(path, missing, layout))

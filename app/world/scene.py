@@ -85,7 +85,7 @@ def load_scene(file: Path) -> Scene:
                 json.dumps({"walls": [], **base, **graded, **_merge_lists(base, graded), **names_of_level})
             )
         except ValidationError as error:
-            raise ValueError(one_sentence(error, str(where))) from error
+            raise ValueError(one_sentence(error, where)) from error
     return Scene(head, plans)
 
 

@@ -68,7 +68,7 @@ def answer(question: PlanQuestion) -> dict[str, object]:
     try:
         options = Options.model_validate_json(json.dumps(question["options"]))
     except ValidationError as error:
-        raise ValueError(one_sentence(error, str(Text("plan-the-import")))) from error
+        raise ValueError(one_sentence(error, Text("plan-the-import"))) from error
     try:
         with reader_language(question["language"]):
             draft = import_plan(file, options, None if image is None else Path(image))
