@@ -49,7 +49,8 @@ def figure(language: str, value: float, digits: int) -> str:
 
 def written(language: str, value: Any) -> str:
     """Return a value of a message as the message writes it."""
-    return value.format(Locale.parse(_locale(language))) if isinstance(value, FluentType) else str(value)
+    with localcontext(prec=DIGITS):
+        return value.format(Locale.parse(_locale(language))) if isinstance(value, FluentType) else str(value)
 
 
 def moment(language: str, value: date | time) -> str:
