@@ -5,7 +5,9 @@ Only `app/texts.py` imports it, when the first sentence is made: the control pro
 
 from collections.abc import Sequence
 from datetime import date, datetime, time
+from decimal import localcontext
 from functools import cache
+from math import isfinite
 from typing import Any, Final
 
 from babel import Locale
@@ -17,8 +19,8 @@ from fluent.runtime.types import FluentType, fluent_number
 
 from app.settings import static_folder
 
-LARGEST: Final = 1e9  # of a number that Fluent writes
 MINUS: Final = "\u2212"
+DIGITS: Final = 350  # of the largest number with its decimals: Babel refuses to round a longer one
 LOCALES: Final = {"en": "en_GB"}  # for dates and lists, where it is not the language: "a, b and c"
 DAYS: Final = {"en": "yyyy-MM-dd"}  # how a day is written, where it is not the usual way of the language
 resolver.MAX_PART_LENGTH = 1_000_000  # characters of a value; with more, the whole message would be "{???}"
@@ -28,12 +30,13 @@ def sentence(language: str, message: str, values: dict[str, Any]) -> str:
     """Return a message with its values in a language; its id where the catalogue has no such message."""
     bundle = _bundle(language)
     pattern = bundle.get_message(message).value if bundle.has_message(message) else None
-    return message if pattern is None else str(bundle.format_pattern(pattern, values)[0])
+    with localcontext(prec=DIGITS):
+        return message if pattern is None else str(bundle.format_pattern(pattern, values)[0])
 
 
 def number(value: float) -> Any:
-    """Return a number as it is, by which a message may choose a plural; Babel cannot write one of very many digits."""
-    if not abs(value) < LARGEST:
+    """Return a number as it is, by which a message may choose a plural, or which it groups by thousands."""
+    if not isfinite(value):
         return str(value)
     return fluent_number(value, useGrouping=False, maximumFractionDigits=15)
 
@@ -46,7 +49,8 @@ def figure(language: str, value: float, digits: int) -> str:
 
 def written(language: str, value: Any) -> str:
     """Return a value of a message as the message writes it."""
-    return value.format(Locale.parse(_locale(language))) if isinstance(value, FluentType) else str(value)
+    with localcontext(prec=DIGITS):
+        return value.format(Locale.parse(_locale(language))) if isinstance(value, FluentType) else str(value)
 
 
 def moment(language: str, value: date | time) -> str:

@@ -85,7 +85,7 @@ def record_trial(
         ring.write(tick, 1, run_t, NO_CUE, 0, 0)
     writer.close(ring.number)
     ring.close()
-    assert (writer.dropped, writer.damage) == (0, "")
+    assert (writer.dropped, writer.damage) == (0, None)
     return meta
 
 

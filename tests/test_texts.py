@@ -52,6 +52,8 @@ def test_a_sentence_is_in_the_language_of_the_reader():
         (time(9, 5), "09:05", "09:05"),
         (datetime(2026, 11, 9, 14, 5).astimezone(), "2026-11-09 14:05", "09.11.2026 14:05"),
         ("x" * 3000, "x" * 3000, "x" * 3000),
+        (2 * 10**9, "2000000000", "2000000000"),
+        (1e300, f"1{300 * '0'}", f"1{300 * '0'}"),
     ],
 )
 def test_a_value_is_written_as_its_language_does(value, english, german):

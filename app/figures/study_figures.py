@@ -15,6 +15,8 @@ from app.source import STUDY_SOURCE, source_description
 from app.study.choices import FigureFormat
 from app.study.experiment import StudyResult
 from app.study.seeds import MEASURES, comparable_table
+from app.texts import Figure as Number
+from app.texts import Text
 from app.world.floorplan import FloorPlan, PrescribedPath
 from app.world.obstacles import Cylinder
 
@@ -50,9 +52,9 @@ STYLE = {
 def draw_study(result: StudyResult, folder: Path, figure_format: FigureFormat, suffix: str = "") -> None:
     """Draw a study as the paper does: the first trajectory and all trajectories over the path, and both errors."""
     trajectories = [(trial.x, trial.y) for trial in result.trials]
-    panels = [("(a) Trial 1", trajectories[:1])]
+    panels = [(Text("study-panel-trial", letter="a", number=1), trajectories[:1])]
     if len(trajectories) > 1:
-        panels.append((f"(b) All {len(trajectories)} trials", trajectories))
+        panels.append((Text("study-panel-all", letter="b", count=len(trajectories)), trajectories))
     over_path = _trajectories_figure(result.floorplan, result.path, panels)
     _save_figure(over_path, folder / f"trajectories{suffix}.{figure_format}", figure_format)
     errors = _errors_figure(
@@ -69,7 +71,10 @@ def draw_seeds(results: Sequence[StudyResult], folder: Path, figure_format: Figu
     """Draw studies of several seeds together, and the first study on its own."""
     first, last = results[0], len(results[0].trials)
     panels = [
-        (f"({letter}) Trial {number}, {len(results)} people", _trajectories_of(results, number))
+        (
+            Text("study-panel-people", letter=letter, number=number, count=len(results)),
+            _trajectories_of(results, number),
+        )
         for letter, number in zip("ab", dict.fromkeys((1, last)), strict=False)
     ]
     _save_figure(
@@ -95,17 +100,18 @@ def _errors_over_seeds_figure(
     with _paper_style():
         figure, axes = _new_figure(7.0, 5.4, 2)
         panels = (
-            ("(a) Dist: distance driven", "Dist (m)", dist),
-            ("(b) $E_{diff}$: area between trajectory and path", "$E_{diff}$ (m²)", e_diff),
+            (Text("study-panel-dist", letter="a"), "Dist (m)", dist),
+            (Text("study-panel-area", letter="b", symbol="$E_{diff}$"), "$E_{diff}$ (m²)", e_diff),
         )
         n = np.asarray(numbers)
         for panel, (title, label, table) in zip(axes, panels, strict=True):
             for index, row in enumerate(table):
-                label_of_first = "one person" if index == 0 else None
+                label_of_first = Text("study-one-person") if index == 0 else None
                 panel.plot(n, row, color=INK, linewidth=0.5, alpha=0.3, label=label_of_first)
             is_reached = ~np.all(np.isnan(table), axis=0)
             low, high = np.nanpercentile(table[:, is_reached], QUARTILES, axis=0)
-            panel.fill_between(n[is_reached], low, high, color=TRAJECTORY, alpha=0.15, linewidth=0, label="middle half")
+            band = Text("study-middle-half")
+            panel.fill_between(n[is_reached], low, high, color=TRAJECTORY, alpha=0.15, linewidth=0, label=band)
             panel.plot(
                 n[is_reached],
                 np.nanmedian(table[:, is_reached], axis=0),
@@ -113,20 +119,20 @@ def _errors_over_seeds_figure(
                 color=TRAJECTORY,
                 markersize=4,
                 linewidth=1.4,
-                label=f"median of {len(table)}",
+                label=Text("study-median", count=len(table)),
             )
-            panel.set_title(title, loc="left")
+            panel.set_title(str(title), loc="left")
             panel.set_ylabel(label)
             _style_axes(panel, numbers)
-        axes[0].axhline(path_length, color=PATH, linewidth=1.0, linestyle="--", label="length of the path")
+        axes[0].axhline(path_length, color=PATH, linewidth=1.0, linestyle="--", label=Text("study-path-length"))
         axes[1].set_ylim(bottom=0.0)
         axes[0].legend(frameon=False, loc="upper right", ncols=2)
-        axes[1].set_xlabel("trial")
+        axes[1].set_xlabel(str(Text("study-trial")))
         return figure
 
 
 def _trajectories_figure(
-    floorplan: FloorPlan, path: PrescribedPath, panels: Sequence[tuple[str, Sequence[Trajectory]]]
+    floorplan: FloorPlan, path: PrescribedPath, panels: Sequence[tuple[Text, Sequence[Trajectory]]]
 ) -> Figure:
     """Draw trajectories, each (x, y) in m, in red over the prescribed path in blue, within the walls.
 
@@ -137,7 +143,7 @@ def _trajectories_figure(
 
 
 def _draw_trajectories(
-    floorplan: FloorPlan, path: PrescribedPath, panels: Sequence[tuple[str, Sequence[Trajectory]]]
+    floorplan: FloorPlan, path: PrescribedPath, panels: Sequence[tuple[Text, Sequence[Trajectory]]]
 ) -> Figure:
     x_min, y_min, x_max, y_max = floorplan.bounds
     width = 7.0
@@ -145,10 +151,10 @@ def _draw_trajectories(
     figure, axes = _new_figure(width, height * len(panels), len(panels))
     for panel, (title, trajectories) in zip(axes, panels, strict=True):
         _draw_panel(panel, floorplan, path, trajectories)
-        panel.set_title(title, loc="left")
+        panel.set_title(str(title), loc="left")
     legend = [
-        _line_of(PATH, 1.8, f"prescribed path, {path.line.length:.1f} m (● start, ■ goal)"),
-        _line_of(TRAJECTORY, 0.8, "trajectory"),
+        _line_of(PATH, 1.8, Text("study-prescribed-path", length=Number(path.line.length, 1))),
+        _line_of(TRAJECTORY, 0.8, Text("study-trajectory")),
     ]
     figure.legend(handles=legend, loc="outside upper center", ncols=2, frameon=False)
     axes[-1].set_xlabel("x (m)")
@@ -195,23 +201,23 @@ def _draw_errors(
 ) -> Figure:
     figure, axes = _new_figure(7.0, 5.4, 2)
     panels = (
-        ("a", "Dist: distance driven", "Dist (m)", dist, curves.get("dist")),
-        ("b", "$E_{diff}$: area between trajectory and path", "$E_{diff}$ (m²)", e_diff, curves.get("e_diff")),
+        (Text("study-panel-dist", letter="a"), "Dist (m)", dist, curves.get("dist")),
+        (Text("study-panel-area", letter="b", symbol="$E_{diff}$"), "$E_{diff}$ (m²)", e_diff, curves.get("e_diff")),
     )
-    for panel, (letter, title, label, values, curve) in zip(axes, panels, strict=True):
+    for panel, (title, label, values, curve) in zip(axes, panels, strict=True):
         fit = curve["fit"] if curve else None
         if fit:
             band = (fit["n"], fit["low"], fit["high"])
-            panel.fill_between(*band, color=TRAJECTORY, alpha=0.12, linewidth=0, label="95 % band")
-            panel.plot(fit["n"], fit["value"], color=TRAJECTORY, linewidth=1.2, label="learning curve")
-        panel.plot(numbers, values, "o-", color=INK, markersize=4, linewidth=0.7, label="trial")
-        panel.set_title(f"({letter}) {title}", loc="left")
+            panel.fill_between(*band, color=TRAJECTORY, alpha=0.12, linewidth=0, label=Text("study-band"))
+            panel.plot(fit["n"], fit["value"], color=TRAJECTORY, linewidth=1.2, label=Text("study-learning-curve"))
+        panel.plot(numbers, values, "o-", color=INK, markersize=4, linewidth=0.7, label=Text("study-trial"))
+        panel.set_title(str(title), loc="left")
         panel.set_ylabel(label)
         _style_axes(panel, numbers)
-    axes[0].axhline(path_length, color=PATH, linewidth=1.0, linestyle="--", label="length of the path")
+    axes[0].axhline(path_length, color=PATH, linewidth=1.0, linestyle="--", label=Text("study-path-length"))
     axes[1].set_ylim(bottom=0.0)
     axes[0].legend(frameon=False, loc="upper right")
-    axes[1].set_xlabel("trial")
+    axes[1].set_xlabel(str(Text("study-trial")))
     return figure
 
 
@@ -265,8 +271,8 @@ def _draw_obstacles(axes: Axes, floorplan: FloorPlan) -> None:
         axes.add_patch(shape)
 
 
-def _line_of(colour: str, width: float, label: str) -> Line2D:
+def _line_of(colour: str, width: float, label: Text) -> Line2D:
     """Return a line for a legend."""
     from matplotlib.lines import Line2D
 
-    return Line2D([], [], color=colour, linewidth=width, label=label)
+    return Line2D([], [], color=colour, linewidth=width, label=str(label))

@@ -15,6 +15,7 @@ from app.pipeline.setup import CommandRefused
 from app.process.command_channel import NO_ANSWER, CommandServer
 from app.realtime import collect_garbage
 from app.recording.writer import RunWriter
+from app.texts import to_document
 
 
 class Runs:
@@ -81,7 +82,7 @@ class Runs:
         if run is None:
             return None
         writer = run.writer
-        return {"run_id": run.run_id, "rows": writer.rows, "dropped": writer.dropped, "words": writer.damage}
+        return {"run_id": run.run_id, "rows": writer.rows, "dropped": writer.dropped, "words": _words(writer)}
 
     def _finish(self) -> None:
         run, self._loop.run = self._loop.run, None
@@ -94,7 +95,7 @@ class Runs:
         for run, command_id in [closing for closing in self._closing if closing[0].writer.done]:
             self._closing.remove((run, command_id))
             writer = run.writer
-            self._server.answer(command_id, rows=writer.rows, dropped=writer.dropped, words=writer.damage)
+            self._server.answer(command_id, rows=writer.rows, dropped=writer.dropped, words=_words(writer))
 
     def _new_writer(self, fields: command_fields.RunFields) -> RunWriter:
         setup = self._loop.setup
@@ -129,6 +130,11 @@ class Runs:
             raise CommandRefused(
                 f"The recording cannot be begun ({error.strerror or error}): free some disk space."
             ) from error
+
+
+def _words(writer: RunWriter) -> JsonDocument | str:
+    """Return what is wrong with a recording, empty while it is whole."""
+    return "" if writer.damage is None else to_document(writer.damage)
 
 
 def require_room(folder: Path) -> None:

@@ -17,7 +17,7 @@ from numpy.typing import NDArray
 META_FILE = "run.json"
 END_FILE = "end.json"
 PARQUET_FILE = "run.parquet"
-DAMAGE_FILE = "damaged.txt"
+DAMAGE_FILE = "damaged.txt"  # the document of a text; a plain sentence in recordings of earlier versions
 SEGMENT, SEGMENT_CHECK = "segment-{:04d}.arrows", "segment-{:04d}.check"
 
 LOST_AT_MOST = 0.5  # s of a recording, when the power fails

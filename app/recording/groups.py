@@ -8,6 +8,7 @@ from typing import Any
 
 from app.recording.format import END_FILE, META_KEY, PARQUET_FILE, Columns, parse_end
 from app.recording.reader import RunRecording, columns_of, file_checksum, read_run
+from app.texts import Text
 
 GROUP = 20_000  # rows
 
@@ -17,7 +18,7 @@ class RunGroups:
     """A recorded run that is read group by group; the groups can be iterated once."""
 
     meta: dict[str, Any]  # the content of `run.json`
-    loss: str  # what is damaged, and how much a cut lost at most; empty when the recording is whole and closed
+    loss: Text | None  # what is damaged, and how much a cut lost at most; None: the recording is whole and closed
     groups: Iterator[Columns]  # at least one, which may have no rows
 
 
@@ -56,7 +57,7 @@ def _closed_run(file: Path) -> RunGroups:
             if empty:
                 yield columns_of([], meta)
 
-    return RunGroups(meta, "", groups())
+    return RunGroups(meta, None, groups())
 
 
 def _slices(run: RunRecording) -> Iterator[Columns]:

@@ -28,14 +28,13 @@ from app.recording.format import (
     check_pieces,
     parse_end,
 )
+from app.texts import Figure, Text, from_document
 
 if TYPE_CHECKING:
     import pyarrow as pa
 
 CHUNK = 1 << 20  # bytes read at once for a checksum
-UNREAD = "{file}: this file was cut or changed and cannot be read: restore it from a backup."
-CUT = "The recording was cut: what had been written by then is here."
-LOST_OF_A_CUT = "It ends {end:.2f} s after its first row; of the time until the cut, at most {lost:g} s are lost."
+CUT = Text("recording-cut")
 UNREADABLE = (ValueError, TypeError, AttributeError, KeyError, NotImplementedError)
 """What a changed name or type of a column raises, which the Parquet file does not protect by a checksum."""
 
@@ -51,7 +50,7 @@ class RunRecording:
     meta: dict[str, Any]  # the content of `run.json`; empty when it cannot be read
     columns: Columns
     dropped: int  # ticks that were overwritten in the ring before they were written; 0 when unknown
-    damage: str  # one sentence on the damage; empty when the recording is whole and closed
+    damage: Text | None  # None: the recording is whole and closed
 
     @property
     def rows(self) -> int:
@@ -59,12 +58,12 @@ class RunRecording:
         return len(self.columns["t"])
 
     @property
-    def loss(self) -> str:
-        """The damage, of a recording that was cut with how much its end lost at most; empty when it is whole."""
+    def loss(self) -> Text | None:
+        """The damage, of a recording that was cut with how much its end lost at most; None when it is whole."""
         if self.damage != CUT or not self.rows:
             return self.damage
         end = float(self.columns["t"][-1] - self.columns["t"][0])
-        return f"{CUT} {LOST_OF_A_CUT.format(end=end, lost=LOST_AT_MOST)}"
+        return Text("recording-cut-loss", end=Figure(end, 2), lost=LOST_AT_MOST)
 
     def frames(self) -> Columns:
         """Return the columns of the rows in which a frame came."""
@@ -95,10 +94,10 @@ def read_run(folder: str | Path, names: Collection[str] | None = None) -> RunRec
     parquet = folder / PARQUET_FILE
     meta_file = _bytes_of(folder / META_FILE)
     if meta_file is None and not segments and not parquet.exists():
-        raise ValueError(f"{folder}: there is no recording in this folder, name the folder of a run")
+        raise ValueError(Text("recording-none", folder=str(folder)))
     end = parse_end(_bytes_of(folder / END_FILE) or b"")
-    damage = (_bytes_of(folder / DAMAGE_FILE) or b"").decode(errors="replace")
-    problem = ""
+    damage = _noted_damage(folder / DAMAGE_FILE)
+    problem: Text | None = None
     tables: list[pa.Table] = []
     if parquet.exists() and (end is not None or not segments):
         tables, problem = _read_parquet(parquet, end, names)
@@ -107,18 +106,36 @@ def read_run(folder: str | Path, names: Collection[str] | None = None) -> RunRec
     copy = _copied_meta(tables)
     meta = _object(copy) or _object(meta_file) or {}
     if copy is not None and meta_file != copy:
-        changed = f"{folder}: run.json was changed, and what the recording itself says of the run is used."
-        problem = f"{problem} {changed}".lstrip()
+        problem = both(problem, Text("recording-run-json-changed", folder=str(folder)))
     if not meta:
-        problem = problem or f"{folder}: run.json cannot be read, so nothing is known of this run but its numbers."
+        problem = problem or Text("recording-run-json-unreadable", folder=str(folder))
     try:
         columns = columns_of(tables, meta)
     except UNREADABLE:
-        columns, problem = _no_rows(meta), problem or UNREAD.format(file=parquet)
+        columns, problem = _no_rows(meta), problem or Text("recording-unreadable", file=str(parquet))
     return RunRecording(meta, columns, end["dropped"] if end else 0, damage or problem)
 
 
-def _read_parquet(file: Path, end: RecordingEnd | None, names: Collection[str] | None) -> tuple[list["pa.Table"], str]:
+def both(first: Text | None, second: Text | None) -> Text | None:
+    """Return what is to be said when either, or both, of two sentences are."""
+    return Text("recording-both", first=first, second=second) if first and second else first or second
+
+
+def _noted_damage(file: Path) -> Text | None:
+    """Return what the recorder noted when it failed."""
+    noted = (_bytes_of(file) or b"").decode(errors="replace")
+    try:
+        text = from_document(json.loads(noted))
+    except UNREADABLE:
+        text = noted
+    if isinstance(text, Text):
+        return text
+    return Text("recording-noted", sentence=text) if text else None
+
+
+def _read_parquet(
+    file: Path, end: RecordingEnd | None, names: Collection[str] | None
+) -> tuple[list["pa.Table"], Text | None]:
     import pyarrow as pa
     import pyarrow.parquet as pa_parquet
 
@@ -129,29 +146,26 @@ def _read_parquet(file: Path, end: RecordingEnd | None, names: Collection[str] |
         table.validate(full=True)
         is_whole = _has_all_columns(schema)
     except (pa.ArrowException, OSError, *UNREADABLE):
-        return [], UNREAD.format(file=file)
-    problem = ""
+        return [], Text("recording-unreadable", file=str(file))
+    problem = None
     if end is None:
-        problem = f"{file.parent / END_FILE}: this file was cut or changed, so the recording cannot be checked."
+        problem = Text("recording-unchecked", file=str(file.parent / END_FILE))
     elif names is None and end["checksums"][PARQUET_FILE] != file_checksum(file):
-        problem = f"{file}: this file was changed, do not rely on it: restore it from a backup."
+        problem = Text("recording-changed", file=str(file))
     return ([table] if is_whole else []), problem
 
 
-def _read_segments(segments: list[Path]) -> tuple[list["pa.Table"], str]:
+def _read_segments(segments: list[Path]) -> tuple[list["pa.Table"], Text]:
     """Return the rows before the first missing or wrong byte, and one sentence on the damage."""
     tables: list[pa.Table] = []
     for number, segment in enumerate(segments):
         if segment.name != SEGMENT.format(number):
-            return tables, f"{segment}: the file before this one is missing, what came after it is left out."
+            return tables, Text("recording-file-missing", file=str(segment))
         content = _bytes_of(segment) or b""
         sound, changed = _sound_part(content, _bytes_of(segment.with_suffix(".check")) or b"")
         tables += [table for table in _batches(content[:sound]) if not tables or table.schema.equals(tables[0].schema)]
         if changed:
-            return (
-                tables,
-                f"{segment}: bytes of this file, or of its checksums, were changed: what comes after them is left out.",
-            )
+            return tables, Text("recording-bytes-changed", file=str(segment))
         if not content[:sound].endswith(END_OF_STREAM):
             break
     return tables, CUT

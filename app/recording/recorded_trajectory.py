@@ -9,6 +9,7 @@ from numpy.typing import NDArray
 from app.faults import State
 from app.recording.format import Columns
 from app.recording.reader import read_run
+from app.texts import Text
 
 APART = 0.05  # m between two points that are shown
 
@@ -31,7 +32,7 @@ def since_armed(columns: Columns) -> Columns:
     """Return the rows from the first one in which motion was permitted; ValueError without one."""
     armed = np.flatnonzero(columns["state"] == State.ARMED)
     if len(armed) == 0:
-        raise ValueError("The chair was never permitted to move in this trial: there is nothing to measure.")
+        raise ValueError(Text("recording-never-armed"))
     return {name: column[armed[0] :] for name, column in columns.items()}
 
 

@@ -39,6 +39,7 @@ from app.recording.format import (
     end_bytes,
     rows_to_columns,
 )
+from app.texts import Text, to_document
 
 WRITE_EVERY = 0.08  # s
 SYNC_EVERY = LOST_AT_MOST - WRITE_EVERY  # s: the next write is WRITE_EVERY later
@@ -131,19 +132,19 @@ class RunWriter:
         Ticks on the disk so far: written and synced, so that a cut of the power leaves them.
     dropped : int
         Ticks that were overwritten in the ring before they could be written.
-    damage : str
-        One sentence on why the recording is damaged; empty while it is whole.
+    damage : Text or None
+        Why the recording is damaged; None while it is whole.
     """
 
     def __init__(self, folder: Path, meta: dict[str, Any], n_channels: int, n_gestures: int) -> None:
         """Make the folder and `run.json`; raise OSError when that fails, FileExistsError for a folder with a run."""
         folder.mkdir(parents=True, exist_ok=True)
         if (folder / META_FILE).exists():
-            raise FileExistsError(f"{folder.name}: there is a recording of this name already, begin a new run")
+            raise FileExistsError(Text("recording-exists", folder=folder.name))
         self.folder = folder
         self.rows = self.dropped = 0
         self._written = 0  # ticks, of which the last may not be on the disk yet
-        self.damage = ""
+        self.damage: Text | None = None
         self._meta = json.dumps(meta, separators=(",", ":"), sort_keys=True).encode()
         write_atomically(folder / META_FILE, self._meta)
         self._encoder = Encoder(self._meta, n_channels, n_gestures)
@@ -253,13 +254,13 @@ class RunWriter:
     def _fail(self, error: Exception) -> None:
         """Note the failure and close the files; do not retry: after a failed write the file's content is unknown."""
         reason = getattr(error, "strerror", None) or str(error)
-        self.damage = f"The recording could not be written ({reason}): free some disk space, then start a new run."
+        self.damage = Text("recording-not-written", reason=reason)
         for descriptor in self._descriptors:
             with suppress(OSError):
                 os.close(descriptor)
         self._descriptors = []
         with suppress(OSError):
-            write_atomically(self.folder / DAMAGE_FILE, self.damage.encode())
+            write_atomically(self.folder / DAMAGE_FILE, json.dumps(to_document(self.damage)).encode())
 
     def _compact(self) -> None:
         segments = [self.folder / SEGMENT.format(number) for number in range(self._segment)]

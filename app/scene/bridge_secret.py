@@ -21,6 +21,8 @@ from viser.infra import _infra
 from websockets.asyncio.server import ServerConnection
 from websockets.http11 import Request, Response
 
+from app.texts import Text
+
 LOGGER: Final = "websockets.server"
 HEADER: Final = "X-Bodydrive-Bridge"
 SECRET: Final = secrets.token_urlsafe(32)
@@ -42,7 +44,7 @@ def require_guarded(server: viser.ViserServer) -> None:
     """Stop a server whose port does not require the secret, and raise RuntimeError."""
     if server._websock_server._server_thread not in _guarded:  # noqa: SLF001
         server.stop()
-        raise RuntimeError("viser opened a port that everybody may read: install viser 1.1.1")
+        raise RuntimeError(Text("object-viser-port"))
 
 
 class _GuardedWebsockets:
@@ -62,7 +64,7 @@ def _serve(*arguments: Any, process_request: ProcessRequest, **options: Any) -> 
             secrets_sent[0].encode(errors="surrogateescape"), SECRET.encode()
         ):
             return process_request(connection, request)
-        return connection.respond(HTTPStatus.FORBIDDEN, "This port is for the program itself: open its own pages.\n")
+        return connection.respond(HTTPStatus.FORBIDDEN, f"{Text('object-port-closed')}\n")
 
     _guarded.add(threading.current_thread())
     return websockets.asyncio.server.serve(*arguments, process_request=admit, logger=_own_logger(), **options)

@@ -10,6 +10,7 @@ from numpy.typing import NDArray
 from app.geometry import Pose
 from app.scene.meshes import palette
 from app.scene.trajectory import Place, PointFilter, is_jump
+from app.texts import Text
 from app.world.floorplan import FloorPlan
 from app.world.path import Path
 
@@ -46,7 +47,7 @@ class Plots:
         self._series = PlotSeries(None)
         self._x_range: Range = NO_RANGE
         self._panel = server.gui.add_panel(visible=False)
-        self._tab = self._panel.add_tab("Plots")
+        self._tab = self._panel.add_tab(str(Text("object-plots")))
         self._panel.float()
         self._trajectory_plot = self._add_trajectory_plot(NO_RANGE)
         self._error_plot = self._add_error_plot()
@@ -102,7 +103,7 @@ class Plots:
                     {"stroke": palette.PRESCRIBED_STROKE, "width": STROKE + 1, "points": {"show": False}},
                     {"stroke": palette.DRIVEN_STROKE, "width": STROKE, "points": {"show": False}},
                 ),
-                title="Driven over path, m",
+                title=str(Text("object-plot-driven")),
                 # The ranges are fixed: a sliding axis can freeze the plot.
                 scales={"x": {"time": False, "range": self._x_range}, "y": {"range": y_range}},
                 axes=_axes(),
@@ -122,7 +123,7 @@ class Plots:
                     {"stroke": ZERO_LINE, "width": 1, "points": {"show": False}},
                     {"stroke": palette.DRIVEN_STROKE, "width": STROKE, "points": {"show": False}},
                 ),
-                title="Off the path in 30 s, m",
+                title=str(Text("object-plot-error")),
                 scales={"x": {"time": False, "range": (-SPAN, 0.0)}, "y": {"range": (-ERROR_SHOWN, ERROR_SHOWN)}},
                 axes=_axes(),
                 cursor={"show": False},

@@ -6,6 +6,8 @@ from typing import Final
 
 import viser
 
+from app.texts import Text
+
 # Only the canvas and the plots are visible, and nothing can be pressed or dragged. The rule hides every element without
 # a canvas in it. A uPlot chart contains a canvas, so that the chart and its parents stay visible; the header and the
 # grips of viser's panel are hidden. Without a scene the canvas is hidden: viser draws its cross of axes until then.
@@ -120,5 +122,5 @@ def client_page(mark: str = "") -> bytes:
     head = f"<style>{style}</style><script>{SCRIPT}</script></head>"
     page, heads = re.subn(r"</head>", lambda _: head, page, count=1)
     if not (titles and heads):
-        raise ValueError(f"{file}: this is not the page of viser 1.1.1, install that version")
+        raise ValueError(Text("object-viser-page", file=str(file)))
     return page.encode()

@@ -133,7 +133,7 @@ def timeline_of(folder: FilePath, path_points: Sequence[Sequence[float]], end: s
     """
     run = read_run(folder)
     if run.rows == 0:
-        raise ValueError(f"The recording of this trial holds nothing. {run.damage}".strip())
+        raise ValueError(f"The recording of this trial holds nothing. {run.damage or ''}".strip())
     rows = run.columns
     t = since_armed(rows)
     decimation = Decimation(run.rows, MOST_POINTS)
@@ -156,7 +156,7 @@ def timeline_of(folder: FilePath, path_points: Sequence[Sequence[float]], end: s
         joints=_joints(run, decimation),
         events=events_of(rows, t, end),
         floorplan=plan,
-        message=run.loss,
+        message=str(run.loss or ""),
     )
 
 

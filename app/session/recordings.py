@@ -37,7 +37,7 @@ def check_recording(folder: Path, duration: float) -> str | None:
     """Return in one sentence why a step's recording cannot be used, None when it can."""
     run = read_run(folder)
     if run.damage:
-        return run.damage
+        return str(run.damage)
     if run.dropped:
         return f"{run.dropped} ticks were lost while recording: close other programs, then repeat this step."
     return check_frames(run.frames()["run_t"], duration, float(run.meta["sample_rate"]))

@@ -9,6 +9,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from app.signals.csv_dialect import Dialect, cells_of, decimals_to_try, separator_of
+from app.texts import Text
 
 if TYPE_CHECKING:
     import pyarrow as pa
@@ -18,8 +19,6 @@ Table = dict[str, NDArray[np.generic]]
 NOT_A_NUMBER = ("", "NaN", "nan", "NA", "N/A", "null", "NULL")  # cells that stand for a missing number
 LONGEST_QUOTE = 30
 MOST_NUMBERS = 200_000_000  # ten hours of 52 channels at 100 Hz
-NO_ROWS = "{}: there is no row below the header, record again or name another file"
-NOT_TEXT = "{}: this is not a CSV file but something binary or not in UTF-8, save it as CSV in UTF-8 or as Parquet"
 
 
 class Columns(NamedTuple):
@@ -47,17 +46,18 @@ def read_columns_and_dialect(path: Path, text: Collection[str] = (), only: Colle
         One sentence that names the file, the line and column, and what to do.
     """
     if not path.exists():
-        raise ValueError(f"{path}: there is no such file, check its name")
+        raise ValueError(Text("signals-file-missing", file=str(path)))
     if path.is_dir():
-        raise ValueError(f"{path}: this is a folder, name a file in it")
+        raise ValueError(Text("signals-folder", file=str(path)))
     if not path.is_file():
-        raise ValueError(f"{path}: this is a device or a pipe, name an ordinary file")
+        raise ValueError(Text("signals-device", file=str(path)))
     try:
         table, dialect = (_read_parquet(path, only), None) if _is_parquet(path) else _read_csv(path, text, only)
     except OSError as error:
-        raise ValueError(f"{path}: this file cannot be read ({error.strerror or error}), check it") from error
+        reason = error.strerror or str(error)
+        raise ValueError(Text("signals-file-unreadable", file=str(path), reason=reason)) from error
     if table.num_rows == 0:
-        raise ValueError(NO_ROWS.format(path))
+        raise ValueError(Text("signals-no-rows", file=str(path)))
     arrays = {name: _as_array(path, name, table.column(i), text) for i, name in enumerate(table.column_names)}
     return Columns(arrays, dialect)
 
@@ -65,17 +65,21 @@ def read_columns_and_dialect(path: Path, text: Collection[str] = (), only: Colle
 def require_column(table: Table, path: Path, name: str) -> NDArray[np.float64]:
     """Return a column (n,) of finite numbers; raise ValueError with the first line that has none."""
     if name not in table:
-        raise ValueError(f"{path}: there is no column '{name}' (there are {_listed(list(table))}), add it")
+        raise ValueError(Text("signals-column-missing", file=str(path), column=name, names=listed(list(table))))
     values = table[name].astype(np.float64)
     bad = np.flatnonzero(~np.isfinite(values))
     if len(bad):
-        raise ValueError(f"{row_place(path, int(bad[0]))}: '{name}' has no number there, fill it in")
+        raise ValueError(Text("signals-no-number", place=row_place(path, int(bad[0])), column=name))
     return values
 
 
-def row_place(path: Path, row: int) -> str:
-    """Return the place of row `row` (from 0) as text: the line of a CSV file, the row of a Parquet file."""
-    return f"{path}, row {row + 1}" if _is_parquet(path) else f"{path}, line {row + 2}"
+def row_place(path: Path, row: int) -> Text:
+    """Return the place of row `row` (from 0): the line of a CSV file, the row of a Parquet file."""
+    return Text("signals-row", file=str(path), row=row + 1) if _is_parquet(path) else _line_place(path, row + 2)
+
+
+def _line_place(path: Path, line: int) -> Text:
+    return Text("signals-line", file=str(path), line=line)
 
 
 def _is_parquet(path: Path) -> bool:
@@ -90,15 +94,15 @@ def _read_parquet(path: Path, only: Collection[str] | None) -> "pa.Table":
         described = pa_parquet.read_metadata(path)
         names = described.schema.to_arrow_schema().names
     except pa.ArrowException as error:
-        raise ValueError(f"{path}: this is not a Parquet file, save it as one or give it the name of a CSV") from error
+        raise ValueError(Text("signals-no-parquet", file=str(path))) from error
     _refuse_twins(str(path), names)
     columns = [name for name in names if only is None or name in only]
     if described.num_rows * len(columns) > MOST_NUMBERS:  # a small file may hold any number of equal, packed values
-        raise ValueError(f"{path}: this holds more than {MOST_NUMBERS:,} numbers, cut it into shorter recordings")
+        raise ValueError(Text("signals-numbers", file=str(path), most=MOST_NUMBERS))
     try:
         return pa_parquet.read_table(path, columns=columns)
     except pa.ArrowException as error:
-        raise ValueError(f"{path}: this Parquet file was cut or changed and cannot be read, save it anew") from error
+        raise ValueError(Text("signals-parquet-damaged", file=str(path))) from error
 
 
 def _read_csv(path: Path, text: Collection[str], only: Collection[str] | None) -> tuple["pa.Table", Dialect]:
@@ -107,19 +111,17 @@ def _read_csv(path: Path, text: Collection[str], only: Collection[str] | None) -
     header, separator = _header(path)
     columns = [name for name in header if only is None or name in only]
     if not columns:
-        raise ValueError(
-            f"{path}, line 1: none of the columns {_listed(sorted(only or ()))} is there, only {_listed(header)}, "
-            f"add them or name another file"
-        )
+        wanted, there = listed(sorted(only or ())), listed(header)
+        raise ValueError(Text("signals-columns-missing", place=_line_place(path, 1), names=wanted, there=there))
     types = {name: pa.string() if name in text else pa.float64() for name in header}
-    first_wrong = ""
+    first_wrong: Text | None = None
     for decimal in decimals_to_try(path, separator):
         dialect = Dialect(separator, decimal)
         try:
             return _table_of_csv(path, header, types, columns, dialect), dialect
         except pa.ArrowException as error:
             if "Empty CSV" in str(error) or "Could not skip initial" in str(error):
-                raise ValueError(NO_ROWS.format(path)) from error
+                raise ValueError(Text("signals-no-rows", file=str(path))) from error
             first_wrong = first_wrong or _what_is_wrong(path, header, set(columns) - set(text), dialect, str(error))
     raise ValueError(first_wrong)
 
@@ -148,34 +150,34 @@ def _header(path: Path) -> tuple[list[str], str]:
     with path.open("rb") as file:
         start = file.readline(100_000)
     if not start.strip():
-        raise ValueError(f"{path}: this file is empty (or begins with an empty line), name another one")
+        raise ValueError(Text("signals-empty", file=str(path)))
     try:
         line = start.decode("utf-8-sig")
     except UnicodeDecodeError as error:
-        raise ValueError(NOT_TEXT.format(path)) from error
+        raise ValueError(Text("signals-no-csv", file=str(path))) from error
     if "\0" in line:
-        raise ValueError(NOT_TEXT.format(path))
+        raise ValueError(Text("signals-no-csv", file=str(path)))
     if "\r" in line.rstrip("\r\n"):
-        raise ValueError(f"{path}: its lines end in carriage returns alone, save the file with other line ends")
+        raise ValueError(Text("signals-line-ends", file=str(path)))
     try:
         separator = separator_of(line)
         names = cells_of(line, separator)
     except csv.Error as error:
-        raise ValueError(NOT_TEXT.format(path)) from error
+        raise ValueError(Text("signals-no-csv", file=str(path))) from error
     for column, name in enumerate(names, start=1):
         if not name:
-            raise ValueError(f"{path}, line 1: column {column} has no name, give it one")
-    _refuse_twins(f"{path}, line 1", names)
+            raise ValueError(Text("signals-column-unnamed", place=_line_place(path, 1), number=column))
+    _refuse_twins(_line_place(path, 1), names)
     return names, separator
 
 
-def _refuse_twins(where: str, names: list[str]) -> None:
+def _refuse_twins(place: Text | str, names: list[str]) -> None:
     for name in names:
         if names.count(name) > 1:
-            raise ValueError(f"{where}: there are two columns '{_quoted(name)}', rename one of them")
+            raise ValueError(Text("signals-columns-twice", place=place, column=_quoted(name)))
 
 
-def _what_is_wrong(path: Path, header: list[str], numeric: set[str], dialect: Dialect, otherwise: str) -> str:
+def _what_is_wrong(path: Path, header: list[str], numeric: set[str], dialect: Dialect, otherwise: str) -> Text:
     """Return one sentence on the first invalid line; slow, therefore called only after the fast reader has failed."""
     try:
         with path.open(encoding="utf-8-sig", newline="") as file:
@@ -185,19 +187,15 @@ def _what_is_wrong(path: Path, header: list[str], numeric: set[str], dialect: Di
                 if not cells:
                     continue
                 if len(cells) != len(header):
-                    return (
-                        f"{path}, line {lines.line_num}: {len(cells)} cells where the header has {len(header)}, "
-                        f"correct or remove this line"
-                    )
+                    place = _line_place(path, lines.line_num)
+                    return Text("signals-cells", place=place, count=len(cells), expected=len(header))
                 for name, cell in zip(header, cells, strict=True):
                     if name in numeric and not _is_number(cell, dialect.decimal):
-                        return (
-                            f"{path}, line {lines.line_num}, column '{name}': '{_quoted(cell)}' is not a number, "
-                            f"write one or leave the cell empty"
-                        )
+                        place = _line_place(path, lines.line_num)
+                        return Text("signals-not-a-number", place=place, column=name, cell=_quoted(cell))
     except (UnicodeDecodeError, csv.Error):
-        return NOT_TEXT.format(path)
-    return f"{path}: this CSV file cannot be read ({otherwise.splitlines()[0]}), save it anew"
+        return Text("signals-no-csv", file=str(path))
+    return Text("signals-csv-unreadable", file=str(path), reason=otherwise.splitlines()[0])
 
 
 def _is_number(cell: str, decimal: str) -> bool:
@@ -222,11 +220,13 @@ def _as_array(path: Path, name: str, column: Any, text: Collection[str]) -> NDAr
     if pa.types.is_floating(column.type) or pa.types.is_integer(column.type):
         array: NDArray[np.generic] = column.to_numpy()
         return array if array.dtype == np.float32 else array.astype(np.float64, copy=False)
-    raise ValueError(f"{path}: column '{name}' holds {column.type} and not numbers, leave it out or convert it")
+    raise ValueError(Text("signals-column-type", file=str(path), column=name, kind=str(column.type)))
 
 
-def _listed(names: list[str], most: int = 6) -> str:
-    return ", ".join(map(_quoted, names[:most])) + (f" and {len(names) - most} more" if len(names) > most else "")
+def listed(names: list[str], most: int = 6) -> Text | str:
+    """Return the first names, and how many more there are."""
+    first = ", ".join(map(_quoted, names[:most]))
+    return Text("signals-names-more", names=first, count=len(names) - most) if len(names) > most else first
 
 
 def _quoted(text: str) -> str:

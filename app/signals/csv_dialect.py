@@ -5,8 +5,9 @@ import mmap
 from pathlib import Path
 from typing import Final, NamedTuple
 
+from app.texts import Text
+
 SEPARATORS: Final = {",": "commas", ";": "semicolons", "\t": "tabs"}
-DECIMALS: Final = {".": "points", ",": "commas"}
 
 
 class Dialect(NamedTuple):
@@ -16,11 +17,12 @@ class Dialect(NamedTuple):
     decimal: str = "."
 
     @property
-    def sentence(self) -> str:
-        """Return the dialect in a sentence; an empty string for the usual one, commas and decimal points."""
+    def sentence(self) -> Text | None:
+        """Return the dialect in a sentence; None for the usual one, commas and decimal points."""
         if self == Dialect():
-            return ""
-        return f"It was read with {SEPARATORS[self.separator]} between columns and decimal {DECIMALS[self.decimal]}."
+            return None
+        decimal = "point" if self.decimal == "." else "comma"
+        return Text("signals-dialect", separator=SEPARATORS[self.separator], decimal=decimal)
 
 
 def separator_of(header: str) -> str:

@@ -7,12 +7,14 @@ samples to the first row of the next.
 """
 
 from pathlib import Path
-from typing import Final, NamedTuple, NoReturn
+from typing import Final, NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
 
+from app.recording.reader import both
 from app.signals.columns import row_place
+from app.texts import Figure, Text, Value
 
 SLOWEST: Final = 10.0  # Hz; a slower sample rate does not suffice for a low-pass of 3 Hz
 FASTEST: Final = 5000.0  # Hz
@@ -52,7 +54,7 @@ class SamplingTimes(NamedTuple):
 
     t: NDArray[np.float64]  # (n,) s
     sample_rate: float  # Hz
-    note: str  # sentences on what was changed, or is missing; empty when nothing is
+    note: Text | None  # what was changed, or is missing
 
 
 def sampling_times(written: NDArray[np.float64], path: Path) -> SamplingTimes:
@@ -72,38 +74,36 @@ def sampling_times(written: NDArray[np.float64], path: Path) -> SamplingTimes:
     """
     t, period, note = _even_times(written, path)
     _refuse_units(t, period, path)
-    if not note:
+    if note is None:
         t, period, note = _without_clock_steps(t, period, path)
-    return SamplingTimes(t, round(1.0 / period, 6), " ".join(filter(None, (note, _gap_note(t, period, path)))))
+    return SamplingTimes(t, round(1.0 / period, 6), both(note, _gap_note(t, period, path)))
 
 
-def _even_times(written: NDArray[np.float64], path: Path) -> tuple[NDArray[np.float64], float, str]:
+def _even_times(written: NDArray[np.float64], path: Path) -> tuple[NDArray[np.float64], float, Text | None]:
     """Return strictly rising times, the period, and what was done about samples that share a time or come in bursts."""
     if np.abs(written).max() > LARGEST_TIME:
-        raise ValueError(f"{path}: t goes from {written[0]:g} to {written[-1]:g}, give the time in seconds")
+        first, last = _rounded(written[0]), _rounded(written[-1])
+        raise ValueError(Text("signals-time-large", file=str(path), first=first, last=last))
     refuse_falling_times(written, path)
     steps = np.diff(written)
     if written[-1] - written[0] < SHORTEST_SPAN:
-        raise ValueError(f"{path}: t is {written[0]:g} in every row, give the time of each sample in seconds")
+        raise ValueError(Text("signals-time-constant", file=str(path), time=_rounded(written[0])))
     shared = int((steps == 0.0).sum())
-    if shared == 0:
-        starts = _bursts(steps)
-        if starts is None:
-            return written, _period(steps), ""
-        problem = "The samples come in bursts, stamped when they arrived"
-    else:
-        starts = np.flatnonzero(np.concatenate(([True], steps > 0)))
-        problem = f"{shared:,} of {len(written):,} samples have the time of the sample before"
+    starts = np.flatnonzero(np.concatenate(([True], steps > 0))) if shared else _bursts(steps)
+    if starts is None:
+        return written, _period(steps), None
     even = None if 0 < shared <= FEW_EQUAL else _evenly_spread(written, starts)
     if even is None and 0 < shared <= max(FEW_EQUAL, FEW * len(steps)):
         even = strictly_rising(written), _period(steps[steps > 0])
     if even is None:
-        raise ValueError(
-            f"{path}: {problem[0].lower()}{problem[1:]}, and their number differs from time to time, so that the "
-            f"sample rate is unknown: export the device's own time of each sample, in seconds"
-        )
+        if shared:
+            raise ValueError(Text("signals-shared-uneven", file=str(path), shared=shared, count=len(written)))
+        raise ValueError(Text("signals-bursts-uneven", file=str(path)))
     t, period = even
-    return t, period, f"{problem}: they were spread evenly, at {1.0 / period:.6g} Hz."
+    rate = _rounded(1.0 / period)
+    if shared:
+        return t, period, Text("signals-shared-spread", shared=shared, count=len(written), rate=rate)
+    return t, period, Text("signals-bursts-spread", rate=rate)
 
 
 def refuse_falling_times(t: NDArray[np.float64], path: Path) -> None:
@@ -111,10 +111,8 @@ def refuse_falling_times(t: NDArray[np.float64], path: Path) -> None:
     falls = np.flatnonzero(np.diff(t) < 0)
     if len(falls):
         row = int(falls[0]) + 1
-        raise ValueError(
-            f"{row_place(path, row)}: time runs backwards there "
-            f"(t = {t[row]:g} after {t[row - 1]:g}), sort the rows or remove the part that was recorded twice"
-        )
+        before, after = _rounded(t[row - 1]), _rounded(t[row])
+        raise ValueError(Text("signals-time-backwards", place=row_place(path, row), before=before, after=after))
 
 
 def _bursts(steps: NDArray[np.float64]) -> NDArray[np.intp] | None:
@@ -190,7 +188,9 @@ def _period(steps: NDArray[np.float64]) -> float:
     return float(steps[steps <= GAP * np.median(steps)].mean())
 
 
-def _without_clock_steps(t: NDArray[np.float64], period: float, path: Path) -> tuple[NDArray[np.float64], float, str]:
+def _without_clock_steps(
+    t: NDArray[np.float64], period: float, path: Path
+) -> tuple[NDArray[np.float64], float, Text | None]:
     """Return times, period and what was done; raise ValueError for times without an even rate.
 
     A clock that moves on in coarse steps, or late, gives uneven times of even samples: no time is then further than a
@@ -202,73 +202,65 @@ def _without_clock_steps(t: NDArray[np.float64], period: float, path: Path) -> t
     gaps = periods > GAP
     if uneven.mean() <= FEW and gaps.mean() <= FEW:
         _refuse_another_rate(gaps, t, path)
-        return t, period, ""
+        return t, period, None
     mean = float(t[-1] - t[0]) / len(steps)
     grid = t[0] + np.arange(len(t)) * mean
     late = t - grid
     if np.ptp(late) <= 2.0 * mean:
         grid += np.median(late)
-        note = f"The steps of t differ, though the samples are even: they were spread evenly, at {1.0 / mean:.6g} Hz."
-        return grid, mean, note
+        return grid, mean, Text("signals-steps-spread", rate=_rounded(1.0 / mean))
     if uneven.mean() <= FEW and gaps.mean() <= MOST_GAPS:
         _refuse_another_rate(gaps, t, path)
-        return t, period, ""
+        return t, period, None
     low, high = np.quantile(steps, (0.05, 0.95))
-    raise ValueError(
-        f"{path}: t rises by {low:.3g} to {high:.3g} s from row to row, without an even sample rate: export the "
-        f"device's own time of each sample, or resample the file to an even rate"
-    )
+    raise ValueError(Text("signals-uneven", file=str(path), least=_rounded(low, 3), most=_rounded(high, 3)))
 
 
 def _refuse_another_rate(gaps: NDArray[np.bool_], t: NDArray[np.float64], path: Path) -> None:
     run = np.convolve(gaps, np.ones(RATE_CHANGE, np.int64), "valid") if len(gaps) >= RATE_CHANGE else np.zeros(1)
     if run.max() == RATE_CHANGE:
         row = int(run.argmax())
-        raise ValueError(
-            f"{row_place(path, row)}: the sample rate changes there (t = {t[row]:g} s), cut the file into parts of one "
-            f"rate each"
-        )
+        raise ValueError(Text("signals-rate-changes", place=row_place(path, row), time=_rounded(t[row])))
 
 
 def _refuse_units(t: NDArray[np.float64], period: float, path: Path) -> None:
     """Raise ValueError unless `t` can be in seconds; the sentence names the probable unit and the remedy."""
     span, slow, fast = float(t[-1] - t[0]), (1 + ROUNDING) / SLOWEST, (1 - ROUNDING) / FASTEST
+    step: dict[str, Value] = {"file": str(path), "step": _rounded(period, 4)}
     if not fast <= period <= slow:
         if abs(period - 1.0) < ROUNDING and np.ptp(np.diff(t)) < ROUNDING:
-            _refuse(path, period, "a counter of samples", "divide the column t by the sample rate in Hz")
+            raise ValueError(Text("signals-unit-counter", **step))
         like = [(unit, size) for unit, size in UNITS if fast <= period * size <= slow]
         if like:
-            appearance = " or ".join(f"{unit} ({1.0 / (period * size):.4g} Hz)" for unit, size in like)
-            _refuse(
-                path, period, appearance, f"multiply the column t by {' or '.join(f'{size:g}' for _, size in like)}"
-            )
-        speed = "slowly" if period > slow else "fast"
-        remedy = f"write it in seconds, and record at {SLOWEST:g} to {FASTEST:g} Hz"
-        _refuse(path, period, f"another unit, or samples taken too {speed}", remedy)
+            units = [Text("signals-unit", unit=unit, rate=_rounded(1.0 / (period * size), 4)) for unit, size in like]
+            step |= {"unit": units[0], "factor": like[0][1]}
+            if len(like) == 1:
+                raise ValueError(Text("signals-unit-other", **step))
+            raise ValueError(Text("signals-unit-one-of-two", **step, or_unit=units[1], or_factor=like[1][1]))
+        if period > slow:
+            raise ValueError(Text("signals-unit-or-slow", **step, slowest=SLOWEST, fastest=FASTEST))
+        raise ValueError(Text("signals-unit-or-fast", **step, slowest=SLOWEST, fastest=FASTEST))
     rate = 1.0 / (period * 60.0)
     like_minutes = any(abs(rate / usual_rate - 1.0) < 2e-3 for usual_rate in USUAL_RATES)
     if 1.0 / period >= FAST * (1 - ROUNDING) and (span < SHORT or (span < BRIEF and like_minutes)):
-        appearance = f"minutes ({span * 60.0:.4g} s at {rate:.4g} Hz) and not {span:.3g} s at {1.0 / period:.5g} Hz"
-        _refuse(path, period, appearance, f"multiply the column t by 60, or record more than {BRIEF:g} s")
+        seconds: dict[str, Value] = {"span": _rounded(span, 3), "rate": _rounded(1.0 / period, 5), "brief": BRIEF}
+        minutes = {"span_of_minutes": _rounded(span * 60.0, 4), "rate_of_minutes": _rounded(rate, 4)}
+        raise ValueError(Text("signals-unit-minutes", **step, **seconds, **minutes))
 
 
-def _refuse(path: Path, period: float, like: str, remedy: str) -> NoReturn:
-    raise ValueError(
-        f"{path}: t must be in seconds, but it rises by {period:.4g} from row to row, which looks like {like}: {remedy}"
-    )
-
-
-def _gap_note(t: NDArray[np.float64], period: float, path: Path) -> str:
-    """Return a sentence on the gaps, empty when they are few and short; raise ValueError for a jump of hours."""
+def _gap_note(t: NDArray[np.float64], period: float, path: Path) -> Text | None:
+    """Return a sentence on the gaps, None when they are few and short; raise ValueError for a jump of hours."""
     steps = np.diff(t)
     gaps, row = int((steps > GAP * period).sum()), int(steps.argmax())
     longest = float(steps[row])
     if longest > LONGEST_HOLE:
-        raise ValueError(
-            f"{row_place(path, row + 1)}: t jumps there by {longest:g} s ({longest / 3600.0:.1f} hours), keep the part "
-            f"before or after it, or correct the column t"
-        )
+        place, hours = row_place(path, row + 1), Figure(longest / 3600.0, 1)
+        raise ValueError(Text("signals-time-jumps", place=place, seconds=_rounded(longest), hours=hours))
     if longest <= NOTED_HOLE and gaps <= NOTED_GAPS * len(steps):
-        return ""
-    start = "There is 1 gap" if gaps == 1 else f"There are {gaps:,} gaps"
-    return f"{start} between the samples, the longest of {longest:.3g} s before {row_place(path, row + 1)}."
+        return None
+    return Text("signals-gaps", count=gaps, longest=_rounded(longest, 3), place=row_place(path, row + 1))
+
+
+def _rounded(number: float, digits: int = 6) -> float:
+    """Return a number with at most so many digits that count."""
+    return float(f"{number:.{digits}g}")

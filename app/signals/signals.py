@@ -10,11 +10,12 @@ from numpy.typing import NDArray
 from pydantic import ValidationError
 
 from app.layout import MAX_CHANNELS, ShirtLayout
-from app.recording.reader import RunRecording, read_run
+from app.recording.reader import RunRecording, both, read_run
 from app.sentences import one_sentence
-from app.signals.columns import Table, read_columns_and_dialect, require_column
+from app.signals.columns import Table, listed, read_columns_and_dialect, require_column
 from app.signals.csv_dialect import Dialect
 from app.signals.sampling_times import FASTEST, SLOWEST, refuse_falling_times, sampling_times, strictly_rising
+from app.texts import Text
 
 SHORTEST = 10  # samples
 ROWS_AT_ONCE = 4096
@@ -30,7 +31,7 @@ class Signals:
     channel_names: list[str]
     sample_rate: float  # Hz
     t_device: NDArray[np.float64] | None = None  # (n,) s on the shirt's own clock, where a recording has it
-    damage: str = ""  # sentences on what is damaged or missing in the recording, or was mended
+    damage: Text | None = None  # what is damaged or missing in the recording, or was mended
     dialect: Dialect | None = None  # of a CSV file
 
     def between(self, start: float | None, end: float | None) -> slice:
@@ -56,48 +57,46 @@ def read_signals(path: str | Path, layout: ShirtLayout | None = None) -> Signals
     t = require_column(table, path, "t")
     names = [name for name in table if name != "t"] if layout is None else layout.channel_names
     if not names:
-        raise ValueError(f"{path}: there is no channel beside 't', add a column per channel")
+        raise ValueError(Text("signals-no-channel", file=str(path)))
     if layout is None and len(names) > MAX_CHANNELS:
-        raise ValueError(f"{path}: {len(names)} channels are more than a shirt can have, keep at most {MAX_CHANNELS}")
+        raise ValueError(Text("signals-channels", file=str(path), count=len(names), most=MAX_CHANNELS))
     if layout is not None and "t" in names:
-        raise ValueError(f"{path}: the layout '{layout.name}' has a channel 't', which is the time: rename the channel")
+        raise ValueError(Text("signals-channel-named-t", file=str(path), layout=layout.name))
     if missing := [name for name in names if name not in table]:
         raise ValueError(_missing(path, missing, layout))
     if len(t) < SHORTEST:
-        raise ValueError(f"{path}: {len(t)} samples are too few for a signal, record at least a few seconds")
-    even, sample_rate, sentence = sampling_times(t, path)
-    return Signals(even, _stack_columns(table, names), names, sample_rate, damage=sentence, dialect=dialect)
+        raise ValueError(Text("signals-samples-few", file=str(path), count=len(t)))
+    even, sample_rate, note = sampling_times(t, path)
+    return Signals(even, _stack_columns(table, names), names, sample_rate, damage=note, dialect=dialect)
 
 
 def signals_of_run(run: RunRecording, path: Path, layout: ShirtLayout | None = None) -> Signals:
     """Return the frames of a recorded run, `t` from its start; raise ValueError with one sentence."""
     layout_document = run.meta.get("layout")
     if layout_document is None:
-        raise ValueError(f"{path}: the recording does not say which shirt it is of. {run.damage}".rstrip())
+        raise ValueError(both(Text("signals-run-without-layout", file=str(path)), run.damage))
     try:
         names = ShirtLayout.model_validate_json(json.dumps(layout_document)).channel_names
     except ValidationError as error:
-        raise ValueError(one_sentence(error, f"{path}, layout")) from error
+        raise ValueError(one_sentence(error, Text("signals-layout-place", file=str(path)))) from error
     chosen_names = names if layout is None else layout.channel_names
     if missing := [name for name in chosen_names if name not in names]:
         raise ValueError(_missing(path, missing, layout))
     frames = run.frames()
     values = frames["values"]
     if len(values) < SHORTEST:
-        raise ValueError(
-            f"{path}: {len(values)} frames are too few for a signal, name a longer run. {run.damage}".rstrip()
-        )
+        raise ValueError(both(Text("signals-frames-few", file=str(path), count=len(values)), run.damage))
     chosen = values[:, [names.index(name) for name in chosen_names]]
     chosen[np.abs(chosen) > LARGEST] = np.nan
-    t, sentence, stated_rate = frames["run_t"], run.damage, run.meta.get("sample_rate")
+    t, damage, stated_rate = frames["run_t"], run.damage, run.meta.get("sample_rate")
     if isinstance(stated_rate, int | float) and SLOWEST <= stated_rate <= FASTEST:  # the times are those of arrival
         refuse_falling_times(t, path)
         t, sample_rate = strictly_rising(t), float(stated_rate)
     else:
-        t, sample_rate, timing = sampling_times(t, path)
-        sentence = f"{sentence} {timing}".strip()
+        t, sample_rate, note = sampling_times(t, path)
+        damage = both(damage, note)
     t_device = frames["t_device"] if np.isfinite(frames["t_device"]).all() else None
-    return Signals(t, chosen, chosen_names, sample_rate, t_device, sentence)
+    return Signals(t, chosen, chosen_names, sample_rate, t_device, damage)
 
 
 def read_layout(path: str | Path) -> ShirtLayout:
@@ -108,17 +107,15 @@ def read_layout(path: str | Path) -> ShirtLayout:
     except ValidationError as error:
         raise ValueError(one_sentence(error, str(path))) from error
     except FileNotFoundError as error:
-        raise ValueError(f"{path}: there is no such layout, check its name") from error
+        raise ValueError(Text("signals-layout-missing", file=str(path))) from error
     except OSError as error:
-        raise ValueError(f"{path}: this layout cannot be read ({error.strerror}), check it") from error
+        reason = error.strerror or str(error)
+        raise ValueError(Text("signals-layout-unreadable", file=str(path), reason=reason)) from error
 
 
-def _missing(path: Path, missing: list[str], layout: ShirtLayout | None) -> str:
-    names = ", ".join(missing[:5]) + (f" and {len(missing) - 5} more" if len(missing) > 5 else "")
-    return (
-        f"{path}: channel {names} of the layout '{layout.name if layout else ''}' is not in this recording, "
-        f"add the column or use the layout of the shirt that was recorded"
-    )
+def _missing(path: Path, missing: list[str], layout: ShirtLayout | None) -> Text:
+    names = listed(missing, 5)
+    return Text("signals-channel-missing", file=str(path), names=names, layout=layout.name if layout else "")
 
 
 def _stack_columns(table: Table, names: list[str]) -> NDArray[np.float64] | NDArray[np.float32]:

@@ -8,6 +8,7 @@ from numpy.typing import NDArray
 
 from app.number_format import percent, signed_percent
 from app.study.sessions import StudySessionTrial
+from app.texts import Figure, Text
 
 RESAMPLES = 9999
 CONFIDENCE = 0.95
@@ -155,8 +156,8 @@ def compare(fixed: Sequence[StudySessionTrial], other: Sequence[StudySessionTria
 def table(comparison: MapComparison) -> str:
     """Return the comparison as text: the sessions, the seeds of the last session, and a sentence."""
     lines = [
-        "Area off the path, m²",
-        "session         fixed  adapted  reached fixed  adapted  both drove  relative there  95 %",
+        str(Text("study-area-title")),
+        str(Text("study-session-columns")),
     ]
     lines += [
         f"{row['session']:7d}  {row['fixed']:12.2f}  {row['adapted']:7.2f}  {percent(row['reached_fixed']):>13}  "
@@ -165,7 +166,7 @@ def table(comparison: MapComparison) -> str:
         for row in comparison["sessions"]
     ]
     last = comparison["last_session"]
-    lines += ["", f"session {last['session']}", "seed  fixed  adapted  relative  reached fixed  adapted"]
+    lines += ["", str(Text("study-session", session=last["session"])), str(Text("study-seed-columns"))]
     lines += [
         f"{row['seed']:4d}  {row['fixed']:5.2f}  {row['adapted']:7.2f}  {signed_percent(row['relative']):>8}  "
         f"{percent(row['reached_fixed']):>13}  {percent(row['reached_adapted']):>7}"
@@ -173,22 +174,30 @@ def table(comparison: MapComparison) -> str:
     ]
     later = comparison["later_sessions"]
     if later is not None:
-        lines += [
-            "",
-            f"All trials from session 2 on: mean {later['fixed']:.2f} m² fixed, {later['adapted']:.2f} m² adapted: "
-            f"{_percent(later['relative'], 0)} (95 % {_interval_text(later['interval'])}); reached "
-            f"{percent(later['reached_fixed'], 1)} and {percent(later['reached_adapted'], 1)}.",
-        ]
+        sentence = Text(
+            "study-later-sessions",
+            fixed=Figure(later["fixed"], 2),
+            adapted=Figure(later["adapted"], 2),
+            relative=signed_percent(later["relative"]),
+            interval=_interval_text(later["interval"]),
+            reached_fixed=Figure(100.0 * later["reached_fixed"], 1),
+            reached_adapted=Figure(100.0 * later["reached_adapted"], 1),
+        )
+        lines += ["", str(sentence)]
     applied, proposals = comparison["applied"], comparison["proposals"]
-    lines += [
-        "",
-        f"Median over {comparison['seeds']} seeds in the last session: {_percent(last['median_relative'], 0)} "
-        f"(95 % {_interval_text(last['interval'])}). Proposals for a person: median {proposals['median']:g}, most "
-        f"{proposals['most']}. Steps applied: {applied['steps']}; largest felt change "
-        f"{percent(applied['largest_felt_change'], 1)}, largest turn {applied['largest_turn_deg']:.2f} degrees, "
-        f"sign flips {applied['sign_flips']}.",
-    ]
-    return "\n".join(lines) + "\n"
+    sentence = Text(
+        "study-last-session",
+        seeds=comparison["seeds"],
+        relative=_percent(last["median_relative"], 0),
+        interval=_interval_text(last["interval"]),
+        median=proposals["median"],
+        most=proposals["most"],
+        steps=applied["steps"],
+        felt_change=Figure(100.0 * applied["largest_felt_change"], 1),
+        turn=Figure(applied["largest_turn_deg"], 2),
+        flips=applied["sign_flips"],
+    )
+    return "\n".join([*lines, "", str(sentence)]) + "\n"
 
 
 def _later_sessions(
@@ -282,5 +291,7 @@ def _percent(share: float | None, width: int) -> str:
     return f"{'-' if share is None else signed_percent(share):>{width}}"
 
 
-def _interval_text(interval: Interval | None) -> str:
-    return "-" if interval is None else f"{signed_percent(interval[0])} to {signed_percent(interval[1])}"
+def _interval_text(interval: Interval | None) -> Text | str:
+    if interval is None:
+        return "-"
+    return Text("study-interval", low=signed_percent(interval[0]), high=signed_percent(interval[1]))

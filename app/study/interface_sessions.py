@@ -18,6 +18,7 @@ from app.study.choices import PersonKind
 from app.study.participant import Participant
 from app.study.sessions import CalibratedParticipant, begin_session, calibrated_participant, each_seed
 from app.study.simulated_trial import drive_trial, score_trial
+from app.texts import Figure, Text
 from app.world.cursor_task import CursorPlan, CursorTask
 from app.world.floorplan import FloorPlan, PrescribedPath
 
@@ -153,25 +154,23 @@ def interface_summary(rows: Sequence[InterfaceSession]) -> InterfaceSummary:
 def interface_table(summary: InterfaceSummary) -> str:
     """Return the summary as text."""
     lines = [
-        "Two-minute test, medians over people",
-        "session  targets/min  missed  first entry, s  dial-in, s  straightness  throughput, bit/s (10 to 90 %)  "
-        "area off the path, m²  reached",
+        str(Text("study-test-title")),
+        str(Text("study-test-columns")),
     ]
     for row in summary["sessions"]:
         low, high = row["throughput_p10"], row["throughput_p90"]
-        spread = "-" if low is None else f"({low:.2f} to {high:.2f})"
+        spread = "-" if low is None else str(Text("study-spread", low=Figure(low, 2), high=Figure(high, 2)))
         lines.append(
             f"{row['session']:7d}  {_text(row['acquisitions_per_minute'], 11, 1)}  {_text(row['missed'], 6, 1)}  "
             f"{_text(row['first_entry'], 14)}  {_text(row['dial_in'], 10)}  {_text(row['path_efficiency'], 12)}  "
             f"{_text(row['throughput'], 17)} {spread:>16}  {_text(row['e_diff'], 21)}  {row['reached']:7.0%}"
         )
     correlation = summary["rank_correlation"]
-    lines += [
-        "",
-        "Rank correlation of throughput with the area off the path in the trials of the same session: between people "
-        f"{_text(correlation['between'])}, within people {_text(correlation['within'])}.",
-    ]
-    return "\n".join(lines) + "\n"
+    between, within = (
+        "-" if rho is None else Figure(rho, 2) for rho in (correlation["between"], correlation["within"])
+    )
+    sentence = Text("study-rank-correlation", between=between, within=within)
+    return "\n".join([*lines, "", str(sentence)]) + "\n"
 
 
 def _session(rows: list[SessionRow], number: int) -> SessionRow:

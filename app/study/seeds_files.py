@@ -23,6 +23,7 @@ from app.study.study_files import (
     person_document,
     trajectories_table,
 )
+from app.texts import Text, Value
 
 if TYPE_CHECKING:
     import pyarrow as pa
@@ -100,23 +101,31 @@ def sentences(results: Sequence[StudyResult]) -> list[str]:
     trials = sum(len(result.trials) for result in results)
     missed = sum(not trial.measures["reached"] for result in results for trial in result.trials)
     if missed:
-        lines.append(f"{missed} of {trials} trials did not reach the goal in time and are left out of these figures.")
-    return lines
+        lines.append(Text("study-left-out", missed=missed, count=trials))
+    return [str(line) for line in lines]
 
 
-def _sentence(measure: str, over: MeasureOverSeeds, seeds: int) -> str:
+def _sentence(measure: str, over: MeasureOverSeeds, seeds: int) -> Text:
     entry = TRIAL_MEASURES[measure]
 
-    def number(value: float | None) -> str:
-        return "no trial that reached the goal" if value is None else entry.level(value)
+    def number(value: float | None) -> Text | str:
+        return Text("study-none-reached") if value is None else entry.level(value)
 
-    steepest = "" if over.median_step is None else f", the median's from trial {over.median_step} on"
-    return (
-        f"{entry.name}: median {number(over.median[0])} in trial 1, {number(over.median[-1])} in trial "
-        f"{len(over.median)}; "
-        f"of {seeds} people it fell in {over.falls}, rose in {over.rises} and stayed within noise in {over.no_trend}; "
-        f"the largest step is among the first {EARLY} trials in {over.early_steps}{steepest}."
-    )
+    values: dict[str, Value] = {
+        "measure": entry.name,
+        "first": number(over.median[0]),
+        "last": number(over.median[-1]),
+        "trials": len(over.median),
+        "seeds": seeds,
+        "falls": over.falls,
+        "rises": over.rises,
+        "no_trend": over.no_trend,
+        "early": EARLY,
+        "early_steps": over.early_steps,
+    }
+    if over.median_step is None:
+        return Text("study-over-seeds", **values)
+    return Text("study-over-seeds-step", **values, step=over.median_step)
 
 
 def _trajectories(results: Sequence[StudyResult]) -> "pa.Table":

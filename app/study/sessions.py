@@ -27,6 +27,7 @@ from app.study.experiment import SEEDS_APART, shirt_layout
 from app.study.participant import Participant
 from app.study.simulated_calibration import GARMENT, SAMPLE_RATE, calibrate, calibrate_with_prior, record_step
 from app.study.simulated_trial import FrameLog, StudyTrial, drive_trial, score_trial
+from app.texts import Text
 from app.world.floorplan import FloorPlan, PrescribedPath
 
 Rows = TypeVar("Rows")
@@ -194,7 +195,7 @@ def _run_participant(
 def _other_people() -> MapPrior:
     shipped = shipped_prior(shirt_layout())
     if shipped is None:
-        raise ValueError("no prior ships for the simulated shirt: make one with `make shipped FILE=prior`")
+        raise ValueError(Text("study-no-prior"))
     return MapPrior.of(shipped)
 
 

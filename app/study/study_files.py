@@ -20,6 +20,7 @@ from app.hardware.body.person_parameters import PersonParameters, PracticeEffect
 from app.source import STUDY_SOURCE, source_description
 from app.study.experiment import StudyResult
 from app.study.second_process import SameProcess
+from app.texts import Text
 
 if TYPE_CHECKING:
     import pyarrow as pa
@@ -39,9 +40,9 @@ def check_folder(folder: Path, overwrite: bool) -> None:
         One sentence that says what is in the way and what to do.
     """
     if folder.exists() and not folder.is_dir():
-        raise ValueError(f"{folder} is a file and not a folder: name another place")
+        raise ValueError(Text("study-folder-is-file", folder=str(folder)))
     if folder.is_dir() and any(folder.iterdir()) and not overwrite:
-        raise ValueError(f"{folder} is not empty: name another folder, or replace it with --overwrite")
+        raise ValueError(Text("study-folder-not-empty", folder=str(folder)))
 
 
 def write_study(

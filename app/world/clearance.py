@@ -22,11 +22,10 @@ class NarrowestPoint(NamedTuple):
     distance: float  # m, from the path to the surface; 0 or less when the path goes through it
     x: float  # m, of the point on the path
     y: float  # m
-    kind: str  # "wall" or "obstacle"
-    description: str  # "a wall", or the obstacle with its label
+    obstacle: Obstacle | None  # None: a wall
 
 
-NO_SURFACE = NarrowestPoint(np.inf, 0.0, 0.0, "wall", "a wall")
+NO_SURFACE = NarrowestPoint(np.inf, 0.0, 0.0, None)
 
 
 class Clearance:
@@ -71,7 +70,7 @@ class Clearance:
         distances, places = between_segments(piece, self._walls[near])
         nearest = int(np.argmin(distances))
         x, y = places[nearest]
-        return NarrowestPoint(float(distances[nearest]) - self._half_thickness, float(x), float(y), "wall", "a wall")
+        return NarrowestPoint(float(distances[nearest]) - self._half_thickness, float(x), float(y), None)
 
 
 def _box_round(segments: Points) -> tuple[Points, Points]:
@@ -90,13 +89,12 @@ def _reach(obstacle: Obstacle) -> float:
 
 
 def _from_obstacle(piece: Points, obstacle: Obstacle) -> NarrowestPoint:
-    label = f"the obstacle '{obstacle.label}'"
     if isinstance(obstacle, Cylinder):
         place = nearest_on_segments(np.array(obstacle.position), piece[np.newaxis])[0]
         distance = float(np.hypot(*(place - obstacle.position))) - obstacle.radius
     else:
         distance, place = _from_box(piece, obstacle)
-    return NarrowestPoint(distance, float(place[0]), float(place[1]), "obstacle", label)
+    return NarrowestPoint(distance, float(place[0]), float(place[1]), obstacle)
 
 
 def _from_box(piece: Points, box: Box) -> tuple[float, Points]:

@@ -14,6 +14,7 @@ from app.geometry import Pose, wrap_angle
 from app.quantities import Document, Length, Line, Name, Radians, Seconds, Title
 from app.sentences import one_sentence
 from app.settings import data_folder
+from app.texts import Figure, Text, Value
 from app.world.clearance import Clearance
 from app.world.kinematics import CHAIR_RADIUS
 from app.world.movers import Mover
@@ -34,7 +35,7 @@ Polyline = Annotated[tuple[Point, ...], Field(min_length=2, max_length=MAX_WALLS
 class ClearanceError(ValueError):
     """A path or a mover's line is too near to a wall or an obstacle, at (x, y) in m."""
 
-    def __init__(self, sentence: str, x: float, y: float) -> None:
+    def __init__(self, sentence: Text, x: float, y: float) -> None:
         super().__init__(sentence)
         self.x, self.y = x, y
 
@@ -103,22 +104,17 @@ class FloorPlan(Document):
         names = [path.name for path in self.paths]
         for name in names:
             if names.count(name) > 1:
-                raise ValueError(f"path '{name}' stands there twice: give each its own name")
+                raise ValueError(Text("plan-path-twice", path=name))
         return self
 
     @model_validator(mode="after")
     def _is_small_enough(self) -> Self:
         pieces = sum(len(wall) - 1 for wall in self.walls)
         if pieces > MAX_WALLS:
-            raise ValueError(
-                f"its walls have {pieces:,} pieces, and at most {MAX_WALLS:,} are taken: draw fewer of them"
-            )
+            raise ValueError(Text("plan-walls-too-many", count=pieces, most=MAX_WALLS))
         points = sum(len(line) for _, line, _ in self._lines())
         if points > MAX_LINE_POINTS:
-            raise ValueError(
-                f"its paths and movers have too many points ({points:,}, and at most {MAX_LINE_POINTS:,} are taken): "
-                "draw them with fewer"
-            )
+            raise ValueError(Text("plan-points-too-many", count=points, most=MAX_LINE_POINTS))
         return self
 
     @model_validator(mode="after")
@@ -126,11 +122,13 @@ class FloorPlan(Document):
         names = [mover.name for mover in self.movers]
         for name in names:
             if names.count(name) > 1:
-                raise ValueError(f"mover '{name}' stands there twice: give each its own name")
+                raise ValueError(Text("plan-mover-twice", mover=name))
         for path in self.paths:
             if isinstance(path.task, FollowLeader) and path.task.leader not in names:
-                hint = f"use one of {', '.join(names)}" if names else "add it to movers"
-                raise ValueError(f"path '{path.name}': there is no mover '{path.task.leader}' to follow: {hint}")
+                unknown = {"path": path.name, "leader": path.task.leader}
+                if not names:
+                    raise ValueError(Text("plan-leader-without-movers", **unknown))
+                raise ValueError(Text("plan-leader-unknown", **unknown, names=", ".join(names)))
         return self
 
     @model_validator(mode="after")
@@ -139,8 +137,7 @@ class FloorPlan(Document):
             return self
         # A cone does not stop the chair, but no path may lead over one.
         cones = [
-            Cylinder(kind="cylinder", label=f"cone {number}", position=cone.position, radius=cone.radius)
-            for number, cone in enumerate(self.cones, start=1)
+            Cylinder(kind="cylinder", label="cone", position=cone.position, radius=cone.radius) for cone in self.cones
         ]
         things = [*self.obstacles, *cones]
         clearance = Clearance(self.walls, self.wall_thickness, things)
@@ -148,30 +145,38 @@ class FloorPlan(Document):
             try:
                 line = Path(points).points if len(points) > 1 else (points[0], points[0])
             except ValueError as error:
-                raise ValueError(f"{description}: {error}") from error
+                raise ValueError(Text("plan-line-problem", line=description, problem=error)) from error
             narrowest = clearance.along(line)
             if narrowest.distance < radius:
-                raise ClearanceError(
-                    f"{description} comes within {max(narrowest.distance, 0):.2f} m of {narrowest.description} near "
-                    f"({narrowest.x:.2f}, {narrowest.y:.2f}), and {radius} m are needed on each side: "
-                    f"move it or the {narrowest.kind}",
-                    narrowest.x,
-                    narrowest.y,
-                )
+                place: dict[str, Value] = {
+                    "line": description,
+                    "distance": Figure(max(narrowest.distance, 0.0), 2),
+                    "x": Figure(narrowest.x, 2),
+                    "y": Figure(narrowest.y, 2),
+                    "radius": radius,
+                }
+                if narrowest.obstacle is None:
+                    sentence = Text("plan-near-wall", **place)
+                elif narrowest.obstacle in cones:
+                    sentence = Text("plan-near-cone", **place, number=cones.index(narrowest.obstacle) + 1)
+                else:
+                    sentence = Text("plan-near-obstacle", **place, label=narrowest.obstacle.label)
+                raise ClearanceError(sentence, narrowest.x, narrowest.y)
         return self
 
-    def _lines(self) -> Iterator[tuple[str, Sequence[Point], float]]:
+    def _lines(self) -> Iterator[tuple[Text, Sequence[Point], float]]:
         """Yield the lines that must keep clear of walls and obstacles: description, points, and the room needed (m)."""
         for path in self.paths:
             if isinstance(path.task, Course):
                 for stage in path.task.stages:
                     turns = isinstance(stage.task, Turn)
-                    yield f"path '{path.name}', '{stage.title}',", stage.points[: 1 if turns else None], CHAIR_RADIUS
+                    description = Text("plan-line-stage", path=path.name, stage=stage.title)
+                    yield description, stage.points[: 1 if turns else None], CHAIR_RADIUS
             else:
                 turns = isinstance(path.task, Turn)
-                yield f"path '{path.name}'", path.points[: 1 if turns else None], CHAIR_RADIUS
+                yield Text("plan-line-path", path=path.name), path.points[: 1 if turns else None], CHAIR_RADIUS
         for mover in self.movers:
-            yield f"mover '{mover.name}'", mover.points, mover.radius
+            yield Text("plan-line-mover", mover=mover.name), mover.points, mover.radius
 
     def segments(self) -> NDArray[np.float64]:
         """Return the edges of walls (their middle lines) and boxes, (n, 4): x1, y1, x2, y2 in m."""
@@ -217,7 +222,7 @@ class FloorPlan(Document):
             if path.name == name:
                 return path
         names = ", ".join(path.name for path in self.paths)
-        raise ValueError(f"floor plan '{self.name}' has no path '{name}': use one of {names}")
+        raise ValueError(Text("plan-path-unknown", plan=self.name, path=name, names=names))
 
 
 def load_floorplan(file: FilePath) -> FloorPlan:
@@ -230,12 +235,13 @@ def load_floorplan(file: FilePath) -> FloorPlan:
     """
     try:
         if file.stat().st_size > MAX_BYTES:
-            raise ValueError(f"{file}: this is larger than {MAX_BYTES // 1_000_000} MB and no floor plan, name another")
+            raise ValueError(Text("plan-file-large", file=str(file), most=MAX_BYTES // 1_000_000))
         content = file.read_bytes()
     except FileNotFoundError as error:
-        raise ValueError(f"{file}: there is no such file, check its name") from error
+        raise ValueError(Text("plan-file-missing", file=str(file))) from error
     except OSError as error:
-        raise ValueError(f"{file}: this file cannot be read ({error.strerror or error}), check it") from error
+        reason = error.strerror or str(error)
+        raise ValueError(Text("plan-file-unreadable", file=str(file), reason=reason)) from error
     try:
         return FloorPlan.model_validate_json(content)
     except ValidationError as error:

@@ -9,6 +9,7 @@ from pydantic import Field, model_validator
 
 from app.geometry import Pose
 from app.quantities import Document, Length, Name, Seconds
+from app.texts import Text
 from app.world.obstacles import Point
 from app.world.path import Path
 
@@ -40,11 +41,12 @@ class Mover(Document):
     def _is_in_order(self) -> Self:
         times = [t for t, _ in self.pace]
         if times[0] != 0.0 or any(later <= earlier for earlier, later in pairwise(times)):
-            raise ValueError(f"mover '{self.name}': the times of its pace begin with 0 and grow: correct them")
+            raise ValueError(Text("plan-mover-pace", mover=self.name))
         try:
             _ = self.line
         except ValueError as error:
-            raise ValueError(f"mover '{self.name}': {error}") from error
+            line = Text("plan-line-mover", mover=self.name)
+            raise ValueError(Text("plan-line-problem", line=line, problem=error)) from error
         return self
 
     @property

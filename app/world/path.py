@@ -7,6 +7,8 @@ from bisect import bisect_right
 from collections.abc import Sequence
 from itertools import accumulate, pairwise
 
+from app.texts import Text
+
 SHORTEST_PIECE = 1e-9  # m; points closer than this are one point
 
 
@@ -31,11 +33,11 @@ class Path:
         for point in points:
             x, y = float(point[0]), float(point[1])
             if not (math.isfinite(x) and math.isfinite(y)):
-                raise ValueError("a point of the path is not a finite number: correct it")
+                raise ValueError(Text("plan-path-not-finite"))
             if not distinct or math.hypot(x - distinct[-1][0], y - distinct[-1][1]) > SHORTEST_PIECE:
                 distinct.append((x, y))
         if len(distinct) < 2:
-            raise ValueError("a path needs at least two different points: add one")
+            raise ValueError(Text("plan-path-too-short"))
         self.points = tuple(distinct)
         self._lengths = [math.dist(a, b) for a, b in pairwise(distinct)]
         self._starts = list(accumulate(self._lengths, initial=0.0))

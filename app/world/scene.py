@@ -13,6 +13,7 @@ from app.json_values import JsonObject, JsonValue
 from app.quantities import Document, Line, Name, Title
 from app.sentences import one_sentence
 from app.settings import data_folder
+from app.texts import Text
 from app.world.floorplan import MAX_BYTES, FloorPlan, bundled_floorplans, load_floorplan
 
 LevelName = Literal["easy", "medium", "hard"]
@@ -65,16 +66,16 @@ def load_scene(file: Path) -> Scene:
     base = {} if head.floorplan is None else _inherited_fields(file, head.floorplan)
     names = [level.name for level in head.levels or ()]
     if len(set(names)) < len(names):
-        raise ValueError(f"{file}, levels: a level stands there twice, leave one out")
+        raise ValueError(Text("plan-scene-level-twice", file=str(file)))
     plans: dict[LevelName | None, FloorPlan] = {}
     for level in head.levels or (None,):
-        where = f"{file}, level {level.name}" if level else str(file)
+        where: Text | str = Text("plan-scene-level", file=str(file), level=level.name) if level else str(file)
         try:
             graded = {
                 name: at_level(value, level.name if level else None, names, name) for name, value in document.items()
             }
         except ValueError as error:
-            raise ValueError(f"{where}, {error}") from error
+            raise ValueError(Text("plan-scene-problem", where=where, problem=error)) from error
         if level:
             names_of_level = {"name": f"{head.name}.{level.name}", "title": f"{head.title}, {level.title.lower()}"}
         else:
@@ -151,25 +152,26 @@ def bundled_scenes() -> dict[str, Path]:
 def _read(file: Path) -> JsonObject:
     try:
         if file.stat().st_size > MAX_BYTES:
-            raise ValueError(f"{file}: this is larger than {MAX_BYTES // 1_000_000} MB and no scene, name another")
+            raise ValueError(Text("plan-scene-large", file=str(file), most=MAX_BYTES // 1_000_000))
         document: JsonValue = json.loads(file.read_bytes())
     except FileNotFoundError as error:
-        raise ValueError(f"{file}: there is no such file, check its name") from error
+        raise ValueError(Text("plan-file-missing", file=str(file))) from error
     except OSError as error:
-        raise ValueError(f"{file}: this file cannot be read ({error.strerror or error}), check it") from error
+        reason = error.strerror or str(error)
+        raise ValueError(Text("plan-file-unreadable", file=str(file), reason=reason)) from error
     except (ValueError, RecursionError) as error:
         if type(error) is ValueError:
             raise
-        raise ValueError(f"{file}: this is not JSON, correct it ({error})") from error
+        raise ValueError(Text("plan-scene-no-json", file=str(file), problem=error)) from error
     if not isinstance(document, dict):
-        raise ValueError(f"{file}: this is not a scene, begin it with {{")
+        raise ValueError(Text("plan-scene-no-object", file=str(file)))
     return document
 
 
 def _inherited_fields(file: Path, name: str) -> JsonObject:
     bundled = bundled_floorplans()
     if name not in bundled:
-        raise ValueError(f"{file}, floorplan: there is no floor plan '{name}', use one of {', '.join(bundled)}")
+        raise ValueError(Text("plan-scene-no-plan", file=str(file), plan=name, names=", ".join(bundled)))
     return load_floorplan(bundled[name]).model_dump(mode="json", include=set(INHERITED))
 
 
@@ -188,14 +190,15 @@ def at_level(
 ) -> JsonValue:
     """Return `value` with each graded value in it replaced by that of one level; raise ValueError with the place."""
     if depth > DEEPEST:
-        raise ValueError(f"{place[:40]}...: a scene is not nested so deeply, correct it")
+        raise ValueError(Text("plan-scene-too-deep", place=place[:40]))
     if isinstance(value, dict):
         if value and value.keys() <= LEVEL_NAMES:
             if level not in value:
-                problem = f"there is no value for level {level}, add it" if level else "without levels give one value"
-                raise ValueError(f"{place}: {problem}")
+                if level is None:
+                    raise ValueError(Text("plan-scene-one-value", place=place))
+                raise ValueError(Text("plan-scene-value-missing", place=place, level=level))
             if extra := sorted(value.keys() - set(levels)):
-                raise ValueError(f"{place}: the scene has no level {extra[0]}, add it to levels or leave it out")
+                raise ValueError(Text("plan-scene-level-unknown", place=place, level=extra[0]))
             return at_level(value[level], level, levels, place, depth + 1)
         return {name: at_level(inner, level, levels, f"{place}.{name}", depth + 1) for name, inner in value.items()}
     if isinstance(value, list):

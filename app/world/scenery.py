@@ -6,6 +6,7 @@ from typing import Annotated, Literal, Self
 from pydantic import Field, model_validator
 
 from app.quantities import Document, Fraction, Length, Metres, Radians, Title
+from app.texts import Text
 from app.world.obstacles import Point
 
 Colour = tuple[
@@ -34,16 +35,16 @@ class Ground(Document):
     def _is_an_area(self) -> Self:
         if self.area is None:
             if self.dunes:
-                raise ValueError("dunes lie around an area: give the ground its area")
+                raise ValueError(Text("plan-dunes-without-area"))
             return self
         x_min, y_min, x_max, y_max = self.area
         if not (x_min < x_max and y_min < y_max):
-            raise ValueError("area is x_min, y_min, x_max, y_max, the smaller ones first: correct it")
+            raise ValueError(Text("plan-area-order"))
         for number, dune in enumerate(self.dunes, start=1):
             (x, y), r = dune.position, dune.radius
             nearest = math.hypot(x - min(max(x, x_min), x_max), y - min(max(y, y_min), y_max))
             if nearest < r:
-                raise ValueError(f"dune {number} reaches into the area that is driven on: move it out")
+                raise ValueError(Text("plan-dune-inside", number=number))
         return self
 
 

@@ -14,6 +14,7 @@ from app.hardware.configs import VirtualChairConfig
 from app.pipeline.loop import ControlLoop
 from app.pipeline.open_run import OpenRun
 from app.pipeline.setup import Setup
+from app.texts import Text
 from building import make_parameters, make_ring, make_signals
 
 NEUTRAL = 0.5  # s
@@ -211,7 +212,7 @@ def test_a_recording_that_ends_or_breaks_stops_it(make_drive, chair, broken):
     drive = make_drive(frame_times(6.0), chair=chair)
     drive.arm()
     if broken:
-        drive.loop.run.writer.damage = "The disk is full."
+        drive.loop.run.writer.damage = Text("recording-not-written", reason="full")
         drive.until(2.0)
     else:
         drive.loop.run = None

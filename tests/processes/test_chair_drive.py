@@ -113,7 +113,7 @@ async def test_from_refusals_to_a_drive_and_its_recording(chair, tmp_path):
         assert (await control.call("chair", config={"kind": "virtual"}))["kind"] == "virtual"
         assert (await control.call("status"))["chair"]["kind"] == "virtual"
     run = read_run(tmp_path / "run")
-    assert run.damage == ""
+    assert run.damage is None
     assert run.columns["driven_v"].max() > 0.1
     assert run.meta["floorplan"] is None
 

@@ -38,7 +38,7 @@ async def test_a_run_with_cues_is_recorded(tmp_path):
         assert np.isnan(after["run_t"])
     assert begun["run"] == 1
     run = read_run(tmp_path / "run")
-    assert (run.damage, run.rows, run.dropped) == ("", ended["rows"], ended["dropped"])
+    assert (run.damage, run.rows, run.dropped) == (None, ended["rows"], ended["dropped"])
     assert ended["dropped"] == 0
     assert run.meta["meta"] == {"step": "x"}
     assert run.meta["compiled"] is False
@@ -83,7 +83,7 @@ async def test_a_drive_is_recorded_and_decoding_the_recording_gives_the_same_dri
         await control.call("end_run")
         assert control.newest()["state"] == State.DISARMED
     run = read_run(tmp_path / "run")
-    assert (run.damage, run.meta["dynamics"]) == ("", dynamics)
+    assert (run.damage, run.meta["dynamics"]) == (None, dynamics)
     assert run.meta["source"] == {"shirt": "udp", "body": None, "chair": "virtual", "simulated": False}
     exact = replay_run(run, parameters)
     for name in Rerun.__slots__:

@@ -47,7 +47,7 @@ def record(ring, folder, count, batches=4):
         write_ticks(ring, count // batches, first=batch * (count // batches))
         wait_for(lambda goal=(batch + 1) * (count // batches): writer.rows >= goal)
     assert writer.close(ring.number) == (count, 0)
-    assert writer.damage == ""
+    assert writer.damage is None
     return folder
 
 
@@ -83,7 +83,7 @@ def assert_rows_begin(run, longest):
 def test_what_is_recorded_is_read(ring, tmp_path):
     folder = record(ring, tmp_path / "run", 400)
     run = read_run(folder)
-    assert run.damage == ""
+    assert run.damage is None
     assert run.meta == META
     assert run.rows == 400
     assert run.dropped == 0
@@ -123,7 +123,7 @@ def test_an_empty_run_is_a_run(ring, tmp_path):
     writer.start(ring, ring.number, 1)
     assert writer.close(ring.number) == (0, 0)
     run = read_run(tmp_path / "run")
-    assert (run.rows, run.damage) == (0, "")
+    assert (run.rows, run.damage) == (0, None)
     assert run.columns["values"].shape == (0, CHANNELS)
 
 
@@ -161,7 +161,7 @@ def test_a_run_that_was_not_closed_is_read_and_described(cut_run):
     assert run.rows == 400
     assert_rows_begin(run, 400)
     assert run.meta == META
-    assert run.damage == "The recording was cut: what had been written by then is here."
+    assert str(run.damage) == "The recording was cut: what had been written by then is here."
 
 
 @pytest.mark.parametrize("name", ["segment-0000.arrows", "segment-0000.check", "run.json"])
@@ -188,7 +188,7 @@ def test_both_are_said_of_a_cut_run_whose_description_was_changed(cut_run):
     file.write_bytes(file.read_bytes().replace(b"r1", b"r2"))
     run = read_run(cut_run)
     assert run.meta == META
-    assert ("was cut" in run.damage, "run.json was changed" in run.damage) == (True, True)
+    assert ("was cut" in str(run.damage), "run.json was changed" in str(run.damage)) == (True, True)
 
 
 @pytest.mark.parametrize("name", ["run.parquet", "run.json", "end.json"])
@@ -214,7 +214,7 @@ def test_before_a_changed_byte_of_a_cut_run_all_rows_are_read(cut_run, name):
         content[place] ^= 0x10
         file.write_bytes(content)
         run = read_run(cut_run)
-        assert "changed" in run.damage
+        assert "changed" in str(run.damage)
         assert_rows_begin(run, 400)
         content[place] ^= 0x10
 
@@ -245,7 +245,7 @@ def test_scalars_alone_are_those_of_the_whole_run_or_damaged(ring, tmp_path):
         content[place] ^= 0x01
     file.write_bytes(content)
     scalars = read_run(folder, SCALARS)
-    assert (scalars.meta, scalars.rows, scalars.damage) == (whole.meta, whole.rows, "")
+    assert (scalars.meta, scalars.rows, scalars.damage) == (whole.meta, whole.rows, None)
     few = read_run(folder, ["t", "x"]).columns
     assert {name for name, column in few.items() if column.size} == {"t", "x"}
     assert np.array_equal(few["x"], whole.columns["x"])
@@ -271,13 +271,19 @@ def test_a_failing_disk_is_reported_once_and_not_tried_again(ring, tmp_path, mon
         threading.Event().wait(0.01)
     writer.close(ring.number)
     monkeypatch.undo()
-    assert writer.damage != ""
+    assert writer.damage is not None
     rows = writer.rows
-    assert writer.damage.startswith("The recording could not be written (No space left on device)")
+    assert str(writer.damage).startswith("The recording could not be written (No space left on device)")
     run = read_run(tmp_path / "run")
     assert_rows_begin(run, writer._written)
     assert run.rows >= rows  # what was said is on the disk; what was written after the last fsync may be, too
     assert run.damage == writer.damage
+
+
+@pytest.mark.parametrize("noted", ["The disk is full.", '{"tex', "7", '{"file": "a"}'])
+def test_what_an_earlier_version_noted_or_what_was_damaged_is_shown_as_it_is(cut_run, noted):
+    (cut_run / "damaged.txt").write_text(noted)
+    assert str(read_run(cut_run).damage) == noted
 
 
 def test_no_room_for_the_compact_form_leaves_the_segments(cut_run):

@@ -58,4 +58,4 @@ def test_killed_while_it_writes_no_acknowledged_row_is_lost(tmp_path, seed):
         run = read_run(folder)
         assert run.rows >= last
         assert_rows_begin(run, math.inf)
-        assert run.damage == "The recording was cut: what had been written by then is here."
+        assert str(run.damage) == "The recording was cut: what had been written by then is here."

@@ -61,7 +61,7 @@ def test_the_row_of_a_killed_run_says_what_is_on_the_disk(interrupted: Any, seed
         assert [run.folder.name for run in recorded_runs(db, 1, None, folder)] == ["known", "gone"]
     end = read.columns["t"][-1] - read.columns["t"][0]
     assert (
-        read.loss
+        str(read.loss)
         == f"{CUT} It ends {end:.2f} s after its first row; of the time until the cut, at most 0.5 s are lost."
     )
 

@@ -23,6 +23,7 @@ from app.messages import NO_CUE, Tick
 from app.process.ring import RING_SLOTS, TickRing
 from app.recording.reader import read_run
 from app.recording.writer import RunWriter
+from app.texts import Text
 from building import make_layout
 from folders import ROOT
 
@@ -41,12 +42,12 @@ class Recorded:
     rows: int
     gaps: int  # places where a frame is missing in the sequence
     dropped: int
-    damage: str
+    damage: Text | None
     growth: float  # MB, of the process that records
 
     @property
     def is_whole(self) -> bool:
-        return (self.gaps, self.dropped, self.damage) == (0, 0, "") and self.growth < MOST_GROWTH
+        return (self.gaps, self.dropped, self.damage) == (0, 0, None) and self.growth < MOST_GROWTH
 
 
 def record_quickly(folder: Path, seconds: int) -> Recorded:
@@ -141,7 +142,7 @@ def main() -> int:
     for what, one in found.items():
         sys.stdout.write(
             f"{what}: {one.rows} rows, {one.gaps} gaps, {one.dropped} dropped, grown by {one.growth:.1f} MB"
-            f"{'. ' + one.damage if one.damage else ''}\n"
+            f"{f'. {one.damage}' if one.damage else ''}\n"
         )
     return int(not all(one.is_whole for one in found.values()))
 

@@ -114,7 +114,7 @@ def test_the_correlation_is_that_of_the_ranks():
     summary = interface_summary(rows)
     assert summary["rank_correlation"]["between"] == pytest.approx(-1.0)
     assert summary["rank_correlation"]["within"] is None
-    assert "between people -1.00, within people -." in interface_table(summary)
+    assert "between people −1.00, within people -." in interface_table(summary)
     nothing = interface_summary([InterfaceSession(1, 1, one, 2.0, 0.0)])
     assert nothing["sessions"][0]["throughput_p90"] is None
     assert "-" in interface_table(nothing)

@@ -14,7 +14,7 @@ def corners(draft):
 
 
 def said(draft):
-    return " ".join(draft.messages)
+    return " ".join(map(str, draft.messages))
 
 
 def test_invisible_lines_and_blocks_are_left_out_and_counted(save):

@@ -11,6 +11,7 @@ from fastapi import HTTPException, UploadFile
 
 from app.api.foreign_files import OneAtATime, read_or_refuse
 from app.api.routes.uploads import harmless_name
+from app.texts import current_language, from_document
 from app.world.imports.options import IMAGES, MAPS, SUFFIXES
 
 LARGEST = 20_000_000  # bytes
@@ -35,8 +36,14 @@ async def draft_of_uploads(files: list[UploadFile], options: str, readings: OneA
     try:
         stored = [await asyncio.to_thread(_keep, folder, number, file) for number, file in enumerate(files)]
         plan, image = _plan_and_image(stored)
-        question = {"file": str(plan), "image": None if image is None else str(image), "options": import_options}
-        return await readings.run(read_or_refuse, READER, question, [f"{file.parent}/" for file in stored])
+        question = {
+            "file": str(plan),
+            "image": None if image is None else str(image),
+            "options": import_options,
+            "language": current_language(),
+        }
+        draft = await readings.run(read_or_refuse, READER, question, [f"{file.parent}/" for file in stored])
+        return draft | {"messages": [str(from_document(message)) for message in draft["messages"]]}
     finally:
         await asyncio.to_thread(shutil.rmtree, folder, ignore_errors=True)
 

@@ -32,7 +32,7 @@ class FrameFile:
     t: NDArray[np.float64]  # (n,) s, strictly rising from 0
     seq: NDArray[np.int64]  # (n,) strictly rising from 0; a gap is a loss during the recording
     values: NDArray[np.float32]  # (n, n_channels)
-    note: str = ""  # what was mended or is missing in the times of the file
+    note: Text | None = None  # what was mended or is missing in the times of the file
 
 
 def read_frames(path: str | Path) -> FrameFile:

@@ -7,6 +7,8 @@ from typing import Annotated, Any, Final
 
 import msgspec
 
+from app.texts import Text
+
 TRIANGLES, STRIP, FAN = 4, 5, 6  # modes of a primitive
 MAGIC: Final = b"glTF"
 JSON_CHUNK: Final = 0x4E4F534A
@@ -145,18 +147,18 @@ def chunks(content: bytes) -> tuple[bytes, bytes]:
         Half a sentence that says what is wrong and what to do.
     """
     if content[:4] != MAGIC or len(content) < 20:
-        raise ValueError("it is no GLB file: export the object as glTF binary (.glb)")
+        raise ValueError(Text("object-no-glb"))
     version, _, length, kind = struct.unpack_from("<4I", content, 4)
     if version != 2:
-        raise ValueError(f"it is glTF version {version}: export it as version 2")
+        raise ValueError(Text("object-version", version=version))
     end = 20 + length
     if kind != JSON_CHUNK or end > len(content):
-        raise ValueError("it is cut off or damaged: export it again")
+        raise ValueError(Text("object-cut-off"))
     if end + 8 > len(content):
         return content[20:end], b""
     length, kind = struct.unpack_from("<2I", content, end)
     if end + 8 + length > len(content):
-        raise ValueError("it is cut off or damaged: export it again")
+        raise ValueError(Text("object-cut-off"))
     return content[20:end], content[end + 8 : end + 8 + length] if kind == BIN_CHUNK else b""
 
 
@@ -182,4 +184,4 @@ def read_document(content: bytes) -> GlbDocument:
     try:
         return msgspec.json.decode(description, type=GlbDocument)
     except (msgspec.DecodeError, UnicodeDecodeError, RecursionError) as error:
-        raise ValueError("its description cannot be read: export it again") from error
+        raise ValueError(Text("object-no-description")) from error

@@ -27,6 +27,7 @@ from app.scene.models.glb_document import (
     chunks,
     packed,
 )
+from app.texts import Text
 
 Numbers = NDArray[np.float64]
 
@@ -157,7 +158,7 @@ class _Plain:
     def _morphed(self, primitive: Primitive, listed: int, weights: list[float]) -> Numbers:
         places = self._values(self._document.accessors[listed])
         if len(primitive.targets) > MOST_TARGETS:
-            raise UnreadableError(f"it has more than {MOST_TARGETS} morph targets: export it in one shape")
+            raise UnreadableError(Text("object-targets", most=MOST_TARGETS))
         for target, weight in zip(primitive.targets, weights, strict=False):
             if weight and "POSITION" in target:
                 places = places + weight * self._values(self._document.accessors[target["POSITION"]])
@@ -232,7 +233,7 @@ class _Plain:
         start = view.byte_offset + offset
         end = start + step * (count - 1) + kind.itemsize * width
         if count and end > len(buffer):
-            raise UnreadableError("it is cut off or damaged: export it again")
+            raise UnreadableError(Text("object-cut-off"))
         if count and end > view.byte_offset + view.byte_length:
             raise IndexError("a list ends beyond its data")
         shape, strides = (count, width), (step, kind.itemsize)
@@ -278,4 +279,4 @@ def _from_uri(uri: str) -> bytes:
     try:
         return base64.b64decode(uri.partition(",")[2], validate=True)
     except binascii.Error as error:
-        raise UnreadableError("it is damaged: export it again") from error
+        raise UnreadableError(Text("object-damaged")) from error

@@ -35,6 +35,7 @@ from app.scene.models.glb_document import (
 from app.scene.models.glb_geometry import UnreadableError, plain_glb
 from app.scene.models.object_scale import is_probable, scaled
 from app.scene.models.objects import AS_IT_SAYS, MOST_BYTES, THINNEST, Model, reading_of, write_reading
+from app.texts import Text
 
 MOST_COLOURS: Final = 12  # each needs a draw call
 COARSE: Final = 5  # of the 8 bits of a colour; colours that differ only in these lower bits are joined
@@ -87,7 +88,7 @@ def _in_metres(file: Path, scale: float) -> Model:
     file.write_bytes(scaled_glb(file.read_bytes(), scale))
     model = read_model(file)
     if not np.allclose(model.size, size, rtol=1e-4, atol=THINNEST * max(1.0, scale)):
-        raise ValueError(f"{file.name}: the size of this object cannot be changed for certain, export it in metres")
+        raise ValueError(Text("object-not-scaled", file=file.name))
     return model
 
 
@@ -118,11 +119,12 @@ def read_model(file: Path) -> Model:
         with file.open("rb") as opened:
             content = opened.read(MOST_BYTES + 1)
     except OSError as error:
-        raise ValueError(f"{file.name}: this file cannot be read ({error.strerror or error}), check it") from error
+        reason = error.strerror or str(error)
+        raise ValueError(Text("object-file-unreadable", file=file.name, reason=reason)) from error
     try:
         return _model(check(content), content)
     except ValueError as error:
-        raise ValueError(f"{file.name}: this object cannot be used, {error}") from error
+        raise ValueError(Text("object-unusable", file=file.name, problem=error)) from error
 
 
 def _model(document: GlbDocument, content: bytes) -> Model:
@@ -130,12 +132,12 @@ def _model(document: GlbDocument, content: bytes) -> Model:
         try:
             plain, corners = plain_glb(document, content)
         except IndexError as error:
-            raise ValueError("it refers to parts that are not in it: export it again") from error
+            raise ValueError(Text("object-parts-missing")) from error
         except UnreadableError:
             raise
         except Exception as error:
             # The lists of a damaged file do not fit together: NumPy may raise any exception.
-            raise ValueError("it is damaged: export it again") from error
+            raise ValueError(Text("object-damaged")) from error
     by_colour: dict[Colour, list[Mesh]] = {}
     try:
         loaded = trimesh.load_scene(io.BytesIO(plain), file_type="glb", process=False)
@@ -146,20 +148,20 @@ def _model(document: GlbDocument, content: bytes) -> Model:
             for colour, faces in _by_colour(_face_colours(body)):
                 by_colour.setdefault(colour, []).append(_only(mesh, faces))
     except MemoryError as error:
-        raise ValueError("it needs too much memory: make the object simpler") from error
+        raise ValueError(Text("object-memory")) from error
     except Exception as error:
         # trimesh's reader may raise any exception for a damaged file.
-        raise ValueError("it is damaged: export it again") from error
+        raise ValueError(Text("object-damaged")) from error
     all_parts = merged(mesh for meshes in by_colour.values() for mesh in meshes)
     if not len(all_parts.faces):
-        raise ValueError("there is nothing with faces in it: export a solid object")
+        raise ValueError(Text("object-without-faces"))
     if len(all_parts.faces) > MOST_FACES:
-        raise ValueError(f"it has {len(all_parts.faces):,} faces and at most {MOST_FACES:,} are drawn: make it simpler")
+        raise ValueError(Text("object-faces", count=len(all_parts.faces), most=MOST_FACES))
     if not np.isfinite(all_parts.vertices).all() or np.abs(all_parts.vertices).max() > 1e6:
-        raise ValueError("some of its points are infinite or too far away: export it again")
+        raise ValueError(Text("object-far"))
     low, high = all_parts.vertices.min(axis=0), all_parts.vertices.max(axis=0)
     if not np.allclose([low, high], [corners.min(axis=0)[[2, 0, 1]], corners.max(axis=0)[[2, 0, 1]]], rtol=1e-4):
-        raise ValueError("its size cannot be read for certain: export it again without animation and compression")
+        raise ValueError(Text("object-size-unknown"))
     middle = np.array([(low[0] + high[0]) / 2, (low[1] + high[1]) / 2, low[2]])
     length, width, height = (max(float(side), THINNEST) for side in high - low)
     parts = [Part(merged(meshes), colour) for colour, meshes in sorted(by_colour.items())]
@@ -223,16 +225,16 @@ def check(content: bytes) -> GlbDocument:
         Half a sentence that says what is wrong and what to do.
     """
     if len(content) > MOST_BYTES:
-        raise ValueError(f"it is larger than {MOST_BYTES // 1_000_000} MB: make the object simpler")
+        raise ValueError(Text("object-large", most=MOST_BYTES // 1_000_000))
     document = read_document(content)
     for name in document.extensions_required:
         if not name.startswith(READABLE):
-            raise ValueError(f"it needs '{name}', which is not read here: export it without compression or extensions")
+            raise ValueError(Text("object-extension", name=name))
     for source in (*document.buffers, *document.images):
         if source.uri is not None and not source.uri.startswith("data:"):
-            raise ValueError("it needs other files: export everything into one GLB file")
+            raise ValueError(Text("object-other-files"))
     if any(INSTANCES in node.extensions for node in document.nodes):
-        raise ValueError(f"it needs '{INSTANCES}', which is not read here: export it without instances")
+        raise ValueError(Text("object-instances", name=INSTANCES))
     _check_tree(document)
     try:
         _check_lists(document)
@@ -240,11 +242,11 @@ def check(content: bytes) -> GlbDocument:
         points = sum(_points(document, primitive) for primitive in _drawn(document))
         _check_pictures(_pictures(document, content))
     except IndexError as error:
-        raise ValueError("it refers to parts that are not in it: export it again") from error
+        raise ValueError(Text("object-parts-missing")) from error
     if faces > MOST_FACES:
-        raise ValueError(f"it has {faces:,} faces and at most {MOST_FACES:,} are drawn: make the object simpler")
+        raise ValueError(Text("object-faces", count=faces, most=MOST_FACES))
     if points > MOST_POINTS:
-        raise ValueError(f"it has {points:,} points and at most {MOST_POINTS:,} are read: make the object simpler")
+        raise ValueError(Text("object-points", count=points, most=MOST_POINTS))
     return document
 
 
@@ -253,9 +255,9 @@ def _check_tree(document: GlbDocument) -> None:
     children = [child for node in document.nodes for child in node.children]
     roots = {root for scene in document.scenes for root in scene.nodes}
     if len(document.nodes) > MOST_NODES:
-        raise ValueError(f"it has more than {MOST_NODES:,} nodes: join them before exporting")
+        raise ValueError(Text("object-nodes", most=MOST_NODES))
     if len(set(children)) != len(children) or roots & set(children):
-        raise ValueError("its parts do not form a tree: export it again")
+        raise ValueError(Text("object-no-tree"))
 
     below = {number: node.children for number, node in enumerate(document.nodes)}
     level = set(below) - set(children)
@@ -263,31 +265,31 @@ def _check_tree(document: GlbDocument) -> None:
         level = {child for number in level for child in below.get(number, ())}
         if not level:
             return
-    raise ValueError(f"its parts are nested more than {DEEPEST} deep: export it again")
+    raise ValueError(Text("object-nested", most=DEEPEST))
 
 
 def _check_lists(document: GlbDocument) -> None:
     """Refuse accessors that do not lie in their view, and views that do not lie in their buffer."""
     if any(accessor.count > MOST_ELEMENTS for accessor in document.accessors):
-        raise ValueError(f"it has lists of more than {MOST_ELEMENTS:,} numbers: make the object simpler")
+        raise ValueError(Text("object-long-list", most=MOST_ELEMENTS))
     for view in document.buffer_views:
         if any(name in view.extensions for name in COMPRESSED):
-            raise ValueError("it is compressed: export it without compression")
+            raise ValueError(Text("object-compressed"))
         if view.byte_offset + view.byte_length > document.buffers[view.buffer].byte_length:
-            raise ValueError("it is cut off or damaged: export it again")
+            raise ValueError(Text("object-cut-off"))
     numbers = 0
     for accessor in document.accessors:
         width, each = COMPONENTS.get(accessor.type), BYTES.get(accessor.component_type)
         if width is None or each is None:
-            raise ValueError("its description cannot be read: export it again")
+            raise ValueError(Text("object-no-description"))
         numbers += accessor.count * width
         if accessor.buffer_view is not None and accessor.count:
             view = document.buffer_views[accessor.buffer_view]
             step = view.byte_stride or width * each
             if accessor.byte_offset + step * (accessor.count - 1) + width * each > view.byte_length:
-                raise ValueError("its lists end beyond its data: export it again")
+                raise ValueError(Text("object-lists-end"))
     if numbers > MOST_NUMBERS:
-        raise ValueError(f"its lists have more than {MOST_NUMBERS:,} numbers: make the object simpler")
+        raise ValueError(Text("object-numbers", most=MOST_NUMBERS))
 
 
 def _pictures(document: GlbDocument, content: bytes) -> Iterator[bytes | str]:
@@ -301,7 +303,7 @@ def _pictures(document: GlbDocument, content: bytes) -> Iterator[bytes | str]:
             if view.buffer == 0:
                 yield binary[view.byte_offset : view.byte_offset + view.byte_length]
             else:
-                raise ValueError("its pictures lie in another buffer: export it again")
+                raise ValueError(Text("object-picture-elsewhere"))
 
 
 def _drawn(document: GlbDocument) -> Iterator[Primitive]:
@@ -317,7 +319,7 @@ def _points(document: GlbDocument, primitive: Primitive) -> int:
 
 def _faces(document: GlbDocument, primitive: Primitive) -> int:
     if "KHR_draco_mesh_compression" in primitive.extensions:
-        raise ValueError("it is compressed with Draco: export it without compression")
+        raise ValueError(Text("object-draco"))
     listed = primitive.indices if primitive.indices is not None else primitive.attributes.get("POSITION")
     if listed is None:
         return 0
@@ -340,19 +342,16 @@ def _check_pictures(pictures: Iterable[bytes | str]) -> None:
         width, height = _size(picture if isinstance(picture, bytes) else _decoded(picture))
         total += width * height
         if width * height > MOST_PIXELS:
-            raise ValueError(
-                f"a picture on it is {width:,} x {height:,} pixels large, and at most {MOST_PIXELS:,} pixels are read: "
-                f"make it smaller"
-            )
+            raise ValueError(Text("object-picture-size", width=width, height=height, most=MOST_PIXELS))
         if total > MOST_PIXELS_IN_ALL:
-            raise ValueError(f"its pictures have more than {MOST_PIXELS_IN_ALL:,} pixels in all: use fewer of them")
+            raise ValueError(Text("object-pictures-in-all", most=MOST_PIXELS_IN_ALL))
 
 
 def _decoded(address: str) -> bytes:
     try:
         return base64.b64decode(address.partition(",")[2], validate=True)
     except binascii.Error as error:
-        raise ValueError("a picture on it is damaged: export it again") from error
+        raise ValueError(Text("object-picture-damaged")) from error
 
 
 def _size(content: bytes) -> tuple[int, int]:
@@ -360,7 +359,7 @@ def _size(content: bytes) -> tuple[int, int]:
         with Image.open(io.BytesIO(content), formats=FORMATS) as picture:
             return picture.size
     except (Image.DecompressionBombError, Image.DecompressionBombWarning) as error:
-        raise ValueError(f"a picture on it has more than {MOST_PIXELS:,} pixels: make it smaller") from error
+        raise ValueError(Text("object-picture-pixels", most=MOST_PIXELS)) from error
     except Exception as error:
         # Pillow may raise any exception for a damaged picture.
-        raise ValueError("a picture on it is neither PNG nor JPEG, or damaged: export it again") from error
+        raise ValueError(Text("object-picture-unreadable")) from error

@@ -4,6 +4,7 @@ from typing import Final
 
 from app.refusals import Refusal
 from app.scene.meshes.bodies import Vector
+from app.texts import Text
 
 PROBABLE: Final = (0.1, 10.0)  # m, the longest side of a thing in a building
 # m that one unit of a file may be: mm, cm, inch, foot; the last two undo a division by 100 or 1000 that was made twice.
@@ -14,11 +15,8 @@ class ScaleAsked(Refusal):
     """The size of an object is improbable in metres: a person chooses how many metres one of its units is."""
 
     def __init__(self, name: str, size: Vector) -> None:
-        sides = " x ".join(f"{float(f'{side:.3g}'):,.9g}" for side in size)
-        super().__init__(
-            f"{name}: this object is {sides} m large as it says, which is improbable: choose its size, "
-            "or export it in metres."
-        )
+        length, width, height = (float(f"{side:.3g}") for side in size)
+        super().__init__(Text("object-improbable", file=name, length=length, width=width, height=height))
         self.scales = {scale: scaled(size, scale) for scale in SCALES if is_probable(scaled(size, scale))} | {1.0: size}
 
 

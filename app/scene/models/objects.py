@@ -2,6 +2,7 @@
 
 import hashlib
 import io
+import json
 from contextlib import suppress
 from functools import lru_cache
 from pathlib import Path
@@ -14,6 +15,7 @@ from app.files import write_atomically
 from app.isolated_reader import ReadingTimeoutError, read_isolated
 from app.scene.meshes.bodies import Mesh, Part, Vector
 from app.scene.models.object_scale import ScaleAsked, is_probable
+from app.texts import Text, from_document, text_of, to_document
 
 MOST_BYTES: Final = 20_000_000
 THINNEST: Final = 1e-6  # m
@@ -21,7 +23,7 @@ READINGS: Final = ".readings"  # folder beside the objects, with one file for ea
 READER: Final = "app.scene.models.glb_import"
 MOST_IN_MEMORY: Final = 4  # objects in memory, at most 10 MB each
 AS_IT_SAYS: Final = 1.0  # m that one unit of a GLB file is, as glTF has it
-REFUSAL_SUFFIX: Final = ".refused"
+REFUSAL_SUFFIX: Final = ".refused.json"
 READING_SUFFIX: Final = ".2.npz"  # the number changes when the same file is read otherwise: it is then read again
 NO_READING: Final = (OSError, ValueError, KeyError, EOFError, BadZipFile)  # the reading is missing or damaged
 
@@ -54,7 +56,8 @@ def stored_model(file: Path) -> Model:
     try:
         changed_at = file.stat().st_mtime_ns
     except OSError as error:
-        raise ValueError(f"{file.name}: this file cannot be read ({error.strerror or error}), check it") from error
+        reason = error.strerror or str(error)
+        raise ValueError(Text("object-file-unreadable", file=file.name, reason=reason)) from error
     return _stored(file, changed_at)
 
 
@@ -65,13 +68,14 @@ def _stored(file: Path, _changed_at: int) -> Model:
         return _read_reading(reading)
     refused = reading.with_suffix(REFUSAL_SUFFIX)
     if refused.exists():
-        raise ValueError(refused.read_text(encoding="utf-8"))
+        raise ValueError(from_document(json.loads(refused.read_bytes())))
     try:
         _read_apart(file, file.parent / READINGS, AS_IT_SAYS)
     except ReadingTimeoutError:
         raise
     except ValueError as error:
-        write_atomically(refused, str(error).encode())  # stored by an older version; remembered, not read again
+        remembered = json.dumps(to_document(text_of(error)))
+        write_atomically(refused, remembered.encode())  # stored by an older version; remembered, not read again
         raise
     return _read_reading(reading)
 
@@ -125,5 +129,6 @@ def reading_of(file: Path, readings: Path) -> Path:
         with file.open("rb") as opened:
             content = opened.read(MOST_BYTES + 1)
     except OSError as error:
-        raise ValueError(f"{file.name}: this file cannot be read ({error.strerror or error}), check it") from error
+        reason = error.strerror or str(error)
+        raise ValueError(Text("object-file-unreadable", file=file.name, reason=reason)) from error
     return readings / f"{hashlib.sha256(content).hexdigest()}{READING_SUFFIX}"

@@ -7,12 +7,12 @@ from typing import NamedTuple, TypedDict
 from pydantic import ValidationError
 
 from app.sentences import one_sentence
+from app.texts import Text
 from app.world.floorplan import FloorPlan
 from app.world.path import Path as Line
 
 SLOWEST = 0.25  # m/s, the mean speed for which the time limit suffices
 SHORTEST_TIME = 60.0  # s
-INSTRUCTION = "Follow the white line to its end."
 
 
 class PathDocument(TypedDict):
@@ -36,22 +36,22 @@ class PlanDocument(TypedDict):
 
 
 class Draft(NamedTuple):
-    """The draft of a floor plan, with sentences on how it was made."""
+    """The draft of a floor plan, and how it was made."""
 
     document: PlanDocument
-    messages: tuple[str, ...] = ()  # sentences
+    messages: tuple[Text, ...] = ()
     layers: tuple[str, ...] = ()  # of a drawing, to choose from
     taken: tuple[str, ...] = ()  # the layers whose lines are walls
 
 
-def path_document(points: list[list[float]], name: str = "main", title: str = "Across the building") -> PathDocument:
-    """Return the document of a path through `points` (m)."""
+def path_document(points: list[list[float]], number: int | None = None) -> PathDocument:
+    """Return the document of a path through `points` (m): the proposed one, or a drawn one with its number from 1."""
     return {
-        "name": name,
-        "title": title,
+        "name": "main" if number in {None, 1} else f"path-{number}",
+        "title": str(Text("plan-path-proposed") if number is None else Text("plan-path-drawn", number=number)),
         "points": points,
         "time_limit": round(max(SHORTEST_TIME, Line(points).length / SLOWEST)),
-        "instruction": INSTRUCTION,
+        "instruction": str(Text("plan-path-instruction")),
     }
 
 

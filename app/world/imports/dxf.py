@@ -11,6 +11,7 @@ import numpy as np
 from numpy.typing import NDArray
 from scipy.ndimage import distance_transform_edt
 
+from app.texts import Figure, Text, Value
 from app.world.floorplan import MAX_WALLS
 from app.world.imports.draft import Draft, PathDocument, PlanDocument, path_document, plain_name
 from app.world.imports.dxf_lines import UNITS, DxfDrawing, read_dxf
@@ -32,6 +33,7 @@ WALL_LAYERS: Final = re.compile(r"w(a|ae|ä)nde?|mauer|wall|mur|muro|parete|pare
 WALL_THICKNESS: Final = 0.02  # m; small, because the lines of drawings are surfaces of walls
 WIDEST: Final = 500.0  # m
 NARROWEST: Final = 1.0  # m
+METRIC: Final = ("mm", "cm", "m")
 PROBABLE: Final = (3.0, 150.0)  # m, the longer side of a storey: outside of this, the unit is asked for
 FINEST: Final = 0.05  # m per cell of the grid on which a path is searched
 MOST_CELLS: Final = 1_000_000
@@ -63,7 +65,7 @@ def import_dxf(
     chosen = _choose_layers(file, offered, layers)
     pieces = [piece for layer in chosen for line in drawing.layers[layer] for piece in pairwise(line)]
     if not pieces:
-        raise ValueError(f"{file}: there are no lines in this drawing (on the chosen layers), choose others")
+        raise ValueError(Text("plan-drawing-empty", file=str(file)))
     corners = np.array(pieces).reshape(-1, 2)
     low = corners.min(axis=0)
     size = corners.max(axis=0) - low
@@ -76,9 +78,7 @@ def import_dxf(
     walls = join_pieces(((a[0] - x, a[1] - y), (b[0] - x, b[1] - y)) for a, b in pieces)
     edges = sum(len(wall) - 1 for wall in walls)
     if edges > MAX_WALLS:
-        raise ValueError(
-            f"{file}: this drawing has {edges:,} wall pieces and at most {MAX_WALLS:,} are taken, choose fewer layers"
-        )
+        raise ValueError(Text("plan-drawing-walls-too-many", file=str(file), count=edges, most=MAX_WALLS))
     drawn_paths = _drawn_paths(drawing, (x, y))
     paths = drawn_paths or _propose_path(walls, (width, height))
     document: PlanDocument = {
@@ -88,11 +88,10 @@ def import_dxf(
         "wall_thickness": WALL_THICKNESS,
         "paths": paths,
     }
-    unit_sentence = f"as given, in {drawing.unit}" if unit else _as_drawn(drawing.unit, width, height)
     sentences = [
-        f"{edges} wall pieces.",
-        *_path_sentences(drawn_paths, paths),
-        f"The drawing is {width:.1f} x {height:.1f} m large, {unit_sentence}.",
+        Text("plan-wall-pieces", count=edges),
+        _path_sentence(drawn_paths, paths),
+        _size_sentence(drawing.unit, width, height, is_given=unit is not None),
         *_left_out_sentences(drawing, () if layers else tuple(sorted(set(offered) - set(chosen)))),
     ]
     return Draft(document, tuple(sentences), offered, chosen)
@@ -103,8 +102,8 @@ def _choose_layers(file: Path, offered: tuple[str, ...], layers: tuple[str, ...]
         return tuple(layer for layer in offered if not _is_for_text(layer))
     for layer in layers:
         if layer not in offered:
-            names = ", ".join(offered[:10]) or "none"
-            raise ValueError(f"{file}: there is no layer '{layer[:40]}' with lines, use some of these: {names}")
+            names = ", ".join(offered[:10]) or Text("plan-no-layers")
+            raise ValueError(Text("plan-layer-unknown", file=str(file), layer=layer[:40], names=names))
     return layers
 
 
@@ -118,37 +117,42 @@ def _check_unit(file: Path, unit: str, width: float, height: float) -> None:
     """Raise ValueError when the drawing's own unit gives a storey an improbable size."""
     if PROBABLE[0] <= max(width, height) <= PROBABLE[1]:
         return
-    raise ValueError(
-        f"{file}: in {unit}, as it says, this drawing is {width:,.1f} x {height:,.1f} m large, which is improbable for "
-        f"a storey, give its unit{_other_units(unit, width, height, UNITS)}, or remove what lies far from the building"
-    )
+    size: dict[str, Value] = {"file": str(file), "unit": unit, "width": width, "height": height}
+    if sizes := _other_units(unit, width, height, UNITS):
+        raise ValueError(Text("plan-drawing-improbable-unit", **size, sizes=sizes))
+    raise ValueError(Text("plan-drawing-improbable", **size))
 
 
-def _as_drawn(unit: str, width: float, height: float) -> str:
-    """Return the drawing's own unit, and its size in metric units: many drawings are marked as inch or foot wrongly."""
-    metric = [] if unit in {"mm", "cm", "m"} else ["mm", "cm", "m"]
-    return f"in {unit} as it says{_other_units(unit, width, height, metric)}"
+def _size_sentence(unit: str, width: float, height: float, *, is_given: bool) -> Text:
+    """Return the drawing's size and its unit, given or its own.
+
+    An own unit that is not metric comes with the sizes in metric ones: many drawings are marked as inch or foot
+    wrongly.
+    """
+    size: dict[str, Value] = {"unit": unit, "width": Figure(width, 1), "height": Figure(height, 1)}
+    if is_given:
+        return Text("plan-drawing-size-given", **size)
+    if sizes := [] if unit in METRIC else _other_units(unit, width, height, METRIC):
+        return Text("plan-drawing-size-units", **size, sizes=sizes)
+    return Text("plan-drawing-size", **size)
 
 
-def _other_units(unit: str, width: float, height: float, units: Iterable[str]) -> str:
-    """Return the probable sizes (m) of a drawing in other units, in brackets."""
+def _other_units(unit: str, width: float, height: float, units: Iterable[str]) -> list[Text]:
+    """Return the probable sizes (m) of a drawing in other units."""
     factors = [(name, UNITS[name] / UNITS[unit]) for name in units if name != unit]
-    sizes = [
-        f"{width * factor:.1f} x {height * factor:.1f} m in {name}"
+    return [
+        Text("plan-size-in-unit", width=Figure(width * factor, 1), height=Figure(height * factor, 1), unit=name)
         for name, factor in factors
         if PROBABLE[0] <= max(width, height) * factor <= PROBABLE[1]
     ]
-    return f" ({', '.join(sizes)})" if sizes else ""
 
 
 def _check_size(file: Path, width: float, height: float) -> None:
     if max(width, height) > WIDEST:
-        raise ValueError(
-            f"{file}: this drawing is {width:,.0f} x {height:,.0f} m large, give its unit, "
-            "or remove what lies far from the building"
-        )
+        raise ValueError(Text("plan-drawing-wide", file=str(file), width=round(width), height=round(height)))
     if max(width, height) < NARROWEST:
-        raise ValueError(f"{file}: this drawing is only {width:.3f} x {height:.3f} m large, give its unit")
+        size = {"width": Figure(width, 3), "height": Figure(height, 3)}
+        raise ValueError(Text("plan-drawing-small", file=str(file), **size))
 
 
 def _drawn_paths(drawing: DxfDrawing, origin: Point) -> list[PathDocument]:
@@ -163,8 +167,7 @@ def _drawn_paths(drawing: DxfDrawing, origin: Point) -> list[PathDocument]:
     for line in polylines[:MOST_PATHS]:
         points = [[round(x - origin[0], DECIMALS), round(y - origin[1], DECIMALS)] for x, y in line]
         if any(point != points[0] for point in points):
-            number = len(paths) + 1
-            paths.append(path_document(points, "main" if number == 1 else f"path-{number}", f"Path {number}"))
+            paths.append(path_document(points, len(paths) + 1))
     return paths
 
 
@@ -188,35 +191,36 @@ def _propose_path(walls: list[list[Point]], size: tuple[float, float]) -> list[P
     return [path_document(points)] if Line(points).length > 0 else []
 
 
-def _path_sentences(drawn_paths: list[PathDocument], paths: list[PathDocument]) -> list[str]:
-    if len(drawn_paths) > 1:
-        return [f"{len(drawn_paths)} paths are from the layer PATH."]
+def _path_sentence(drawn_paths: list[PathDocument], paths: list[PathDocument]) -> Text:
     if drawn_paths:
-        return ["The path is that of the layer PATH."]
-    if paths:
-        return ["The path is a proposal: change it as you like."]
-    return ["A chair fits nowhere, so there is no path yet: draw one, or check the unit."]
+        return Text("plan-drawing-paths", count=len(drawn_paths))
+    return Text("plan-path-is-proposal") if paths else Text("plan-drawing-without-path")
 
 
-def _left_out_sentences(drawing: DxfDrawing, by_name: tuple[str, ...]) -> list[str]:
+def _left_out_sentences(drawing: DxfDrawing, by_name: tuple[str, ...]) -> list[Text]:
     """Return what is not in the plan, with counts; `by_name` are the layers left out because of their names."""
     lines = Counter({layer: len(drawing.layers[layer]) for layer in by_name})
     sentences = []
     if lines:
-        sentences.append(f"Left out by the names of their layers, which can be chosen: {_listed(lines)}.")
+        sentences.append(Text("plan-drawing-layers-out", names=_counted(lines)))
     if drawing.hidden:
-        sentences.append(f"On layers that are off or frozen: {_listed(drawing.hidden)}.")
+        sentences.append(Text("plan-drawing-hidden", names=_counted(drawing.hidden)))
     if drawing.files:
-        sentences.append(f"In other files, bind them to the drawing to have them: {_listed(drawing.files)}.")
+        sentences.append(Text("plan-drawing-files", names=_counted(drawing.files)))
     if drawing.left_out:
-        sentences.append(f"Not taken over: {_listed(drawing.left_out)}.")
+        things = [Text("plan-left-out", count=count, name=name) for name, count in sorted(drawing.left_out.items())]
+        sentences.append(Text("plan-drawing-left-out", names=_first(things)))
     return sentences
 
 
-def _listed(counts: Counter[str]) -> str:
-    list_text = ", ".join(f"{count} {name[:60]}" for name, count in sorted(counts.items())[:MOST_LISTED])
-    remaining = len(counts) - MOST_LISTED
-    return f"{list_text} and {remaining} more" if remaining > 0 else list_text
+def _counted(counts: Counter[str]) -> list[Text]:
+    return _first([Text("plan-counted", count=count, name=name[:60]) for name, count in sorted(counts.items())])
+
+
+def _first(texts: list[Text]) -> list[Text]:
+    """Return the first texts, and how many more there are."""
+    more = len(texts) - MOST_LISTED
+    return [*texts[:MOST_LISTED], Text("plan-counted-more", count=more)] if more > 0 else texts
 
 
 def free_cells(

@@ -13,6 +13,7 @@ from ezdxf.document import Drawing
 from ezdxf.math import Matrix44, Vec3
 from ezdxf.xclip import XClip
 
+from app.texts import Text, text_of
 from app.world.imports.wall_pieces import Point
 
 MOST_BYTES: Final = 20_000_000
@@ -38,7 +39,7 @@ class DxfDrawing(NamedTuple):
 
     layers: dict[str, list[list[Point]]]  # layer -> lines, m
     unit: str  # a key of UNITS
-    left_out: Counter[str]  # by kind of entity, or by a description
+    left_out: Counter[str]  # by kind of entity, or as the message plan-left-out names it
     hidden: Counter[str]  # by layer, of those that are off or frozen
     files: Counter[str]  # by block, of blocks that are other drawings
 
@@ -60,15 +61,15 @@ def read_dxf(file: Path, unit: str | None = None) -> DxfDrawing:
     document, missing = _document(file)
     try:
         reader = _Reader(file, document, _unit(file, document, unit))
-        reader.left_out["missing blocks"] += missing
+        reader.left_out["missing-blocks"] += missing
         return reader.read()
     except ValueError as error:
-        if str(error).startswith(f"{file}: "):
+        if isinstance(text_of(error), Text):
             raise
-        raise ValueError(f"{file}: something in this drawing is damaged, save it again as DXF") from error
+        raise ValueError(Text("plan-drawing-damaged", file=str(file))) from error
     except Exception as error:
         # ezdxf checks little of a drawing's content and may raise any exception.
-        raise ValueError(f"{file}: something in this drawing is damaged, save it again as DXF") from error
+        raise ValueError(Text("plan-drawing-damaged", file=str(file))) from error
 
 
 def _document(file: Path) -> tuple[Drawing, int]:
@@ -77,19 +78,20 @@ def _document(file: Path) -> tuple[Drawing, int]:
         with file.open("rb") as opened:
             content = opened.read(MOST_BYTES + 1)
     except FileNotFoundError as error:
-        raise ValueError(f"{file}: there is no such file, check its name") from error
+        raise ValueError(Text("plan-file-missing", file=str(file))) from error
     except OSError as error:
-        raise ValueError(f"{file}: this file cannot be read ({error.strerror or error}), check it") from error
+        reason = error.strerror or str(error)
+        raise ValueError(Text("plan-file-unreadable", file=str(file), reason=reason)) from error
     if len(content) > MOST_BYTES:
-        raise ValueError(f"{file}: this is larger than {MOST_BYTES // 1_000_000} MB, draw only what stands there")
+        raise ValueError(Text("plan-drawing-large", file=str(file), most=MOST_BYTES // 1_000_000))
     if content[:2] == b"AC":
-        raise ValueError(f"{file}: this is a DWG drawing, save it as DXF")
+        raise ValueError(Text("plan-drawing-dwg", file=str(file)))
     if b"SECTION" not in content:
-        raise ValueError(f"{file}: this is no DXF drawing that can be read, save it again as DXF")
+        raise ValueError(Text("plan-drawing-no-dxf", file=str(file)))
     try:
         document, auditor = ezdxf.recover.readfile(file)
     except Exception as error:
-        raise ValueError(f"{file}: this is no DXF drawing that can be read, save it again as DXF") from error
+        raise ValueError(Text("plan-drawing-no-dxf", file=str(file))) from error
     return document, sum(fix.code == AuditError.UNDEFINED_BLOCK for fix in auditor.fixes)
 
 
@@ -97,9 +99,7 @@ def _unit(file: Path, document: Drawing, unit: str | None) -> str:
     """Return the unit of the drawing."""
     name = unit or HEADER_UNITS.get(document.header.get("$INSUNITS", 0))
     if name is None:
-        raise ValueError(
-            f"{file}: this drawing does not say in which unit it is drawn, give its unit ({', '.join(UNITS)})"
-        )
+        raise ValueError(Text("plan-drawing-without-unit", file=str(file), units=", ".join(UNITS)))
     return name
 
 
@@ -127,9 +127,7 @@ class _Reader:
         for entity in entities:
             self._visited += 1
             if self._visited > MOST_ENTITIES:
-                raise ValueError(
-                    f"{self._file}: this has more than {MOST_ENTITIES:,} things in it, draw only the walls"
-                )
+                raise ValueError(Text("plan-drawing-too-much", file=str(self._file), most=MOST_ENTITIES))
             layer = str(entity.dxf.layer)
             layer = inherited if inherited is not None and layer == "0" else layer
             kind = entity.dxftype()
@@ -138,7 +136,7 @@ class _Reader:
             elif layer.lower() in self._frozen or (layer.lower() in self._off and kind != "INSERT"):
                 self._hidden[layer] += 1
             elif kind in TEXTS:
-                self.left_out["texts and dimensions"] += 1
+                self.left_out["texts"] += 1
             elif kind == "INSERT":
                 self._read_block(entity, matrix, layer, depth)
             elif kind == "MLINE":
@@ -151,14 +149,14 @@ class _Reader:
     def _read_block(self, insert: Entity, matrix: Matrix44, layer: str, depth: int) -> None:
         block = insert.block()
         if block is None or block.is_any_layout:
-            self.left_out["missing blocks"] += 1
+            self.left_out["missing-blocks"] += 1
             return
         if block.block.is_xref or block.block.is_xref_overlay:
             self._files[str(insert.dxf.name)] += 1
         if depth >= DEEPEST:
-            raise ValueError(f"{self._file}: its blocks lie in each other more than {DEEPEST} deep, explode them")
+            raise ValueError(Text("plan-drawing-blocks-deep", file=str(self._file), most=DEEPEST))
         if XClip(insert).is_clipping_enabled:
-            self.left_out["clipped blocks, which are read whole"] += 1
+            self.left_out["clipped-blocks"] += 1
         for place in self._places(insert):
             self._visited += 1
             self._walk(block, place.matrix44() * matrix, layer, depth + 1)
@@ -167,7 +165,7 @@ class _Reader:
         """Return the block references that an array of rows and columns stands for."""
         times = max(1, insert.dxf.row_count) * max(1, insert.dxf.column_count)
         if times > MOST_ENTITIES:
-            raise ValueError(f"{self._file}: a block stands there {times:,} times, draw only the walls")
+            raise ValueError(Text("plan-drawing-block-often", file=str(self._file), count=times))
         return insert.multi_insert() if insert.mcount > 1 else (insert,)
 
     def _read_line(self, entity: Entity, matrix: Matrix44, layer: str) -> None:
@@ -180,11 +178,11 @@ class _Reader:
         if not len(path):
             return
         if any(not _is_near(vertex) for vertex in path.control_vertices()):
-            raise ValueError(f"{self._file}: something on layer '{layer[:40]}' lies very far away, remove it")
+            raise ValueError(Text("plan-drawing-far", file=str(self._file), layer=layer[:40]))
         line = [(point.x, point.y) for point in path.flattening(SAGITTA, segments=1)]
         self._points += len(line)
         if self._points > MOST_POINTS:
-            raise ValueError(f"{self._file}: this has more than {MOST_POINTS:,} lines in it, draw only the walls")
+            raise ValueError(Text("plan-drawing-lines-too-many", file=str(self._file), most=MOST_POINTS))
         self._layers[layer].append(line)
 
 

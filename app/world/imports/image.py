@@ -7,6 +7,7 @@ import numpy as np
 from numpy.typing import NDArray
 from PIL import Image, ImageOps, UnidentifiedImageError
 
+from app.texts import Figure, Text, text_of
 from app.world.imports.distances import joined
 from app.world.imports.draft import Draft
 from app.world.imports.map_draft import draft_of_map
@@ -45,22 +46,21 @@ def import_image(
         One sentence that names the file and what to do.
     """
     if not 0.0 < threshold < 1.0:
-        raise ValueError(f"{file}: the threshold lies between 0 (black) and 1 (white), correct it")
+        raise ValueError(Text("plan-picture-threshold", file=str(file)))
     if (metres_per_pixel is None) == (width is None):
-        raise ValueError(f"{file}: a picture has no scale, give either metres per pixel or its width in m")
+        raise ValueError(Text("plan-picture-without-scale", file=str(file)))
     grey = _read(file)
     rows, columns = grey.shape
     scale = metres_per_pixel if metres_per_pixel is not None else (width or 0.0) / columns
     largest = max(rows, columns) * scale
     if not (np.isfinite(largest) and 1.0 <= largest <= WIDEST):
-        raise ValueError(
-            f"{file}: with this scale the picture is {columns * scale:.2f} x {rows * scale:.2f} m large, correct it"
-        )
+        size = {"width": Figure(columns * scale, 2), "height": Figure(rows * scale, 2)}
+        raise ValueError(Text("plan-picture-size", file=str(file), **size))
     side = _pixels_per_cell(file, rows, columns, scale)
     # From the lower left corner, which is the origin, and not from the first row, which is the uppermost one.
     free = joined(np.flipud(grey >= threshold * 255.0), side, beyond=True)
     if not free.any():
-        raise ValueError(f"{file}: nothing in this picture is as light as the threshold, lower it")
+        raise ValueError(Text("plan-picture-dark", file=str(file)))
     occupancy = OccupancyMap(np.ascontiguousarray(free), scale * side)
     return draft_of_map(occupancy, file, title, name, noun="picture", outside=outside)
 
@@ -69,9 +69,7 @@ def _pixels_per_cell(file: Path, rows: int, columns: int, scale: float) -> int:
     """Return the number of pixels along one side of a cell."""
     side = max(1, int(FINEST / scale), int(np.ceil(np.sqrt(rows * columns / MOST_CELLS))))
     if scale * side > COARSEST:
-        raise ValueError(
-            f"{file}: one cell would be {scale * side:.2f} m, and doorways would be lost, show a smaller part"
-        )
+        raise ValueError(Text("plan-picture-coarse", file=str(file), size=Figure(scale * side, 2)))
     return side
 
 
@@ -79,27 +77,28 @@ def _read(file: Path) -> NDArray[np.uint8]:
     """Return the grey values (rows, columns), transparent pixels as white."""
     try:
         if file.stat().st_size > MOST_BYTES:
-            raise ValueError(f"{file}: this is larger than {MOST_BYTES // 1_000_000} MB, make it coarser")
+            raise ValueError(Text("plan-picture-large", file=str(file), most=MOST_BYTES // 1_000_000))
         with Image.open(file, formats=FORMATS) as image:
             if image.width * image.height > MOST_PIXELS:
-                raise ValueError(f"{file}: this picture has more than {MOST_PIXELS:,} pixels, make it coarser")
+                raise ValueError(Text("plan-picture-pixels", file=str(file), most=MOST_PIXELS))
             return _grey(image)
     except FileNotFoundError as error:
-        raise ValueError(f"{file}: there is no such file, check its name") from error
+        raise ValueError(Text("plan-file-missing", file=str(file))) from error
     except UnidentifiedImageError as error:
-        raise ValueError(f"{file}: this is no PNG or JPEG picture that can be read, save it anew") from error
+        raise ValueError(Text("plan-picture-no-picture", file=str(file))) from error
     except (Image.DecompressionBombError, Image.DecompressionBombWarning) as error:
-        raise ValueError(f"{file}: this picture has more than {MOST_PIXELS:,} pixels, make it coarser") from error
+        raise ValueError(Text("plan-picture-pixels", file=str(file), most=MOST_PIXELS)) from error
     except ValueError as error:
-        if str(error).startswith(f"{file}: "):
+        if isinstance(text_of(error), Text):
             raise
-        raise ValueError(f"{file}: this picture is damaged, save it anew") from error
+        raise ValueError(Text("plan-picture-damaged", file=str(file))) from error
     except OSError as error:
-        reason = error.strerror or "it is damaged"
-        raise ValueError(f"{file}: this picture cannot be read ({reason}), save it anew") from error
+        if error.strerror is None:
+            raise ValueError(Text("plan-picture-damaged", file=str(file))) from error
+        raise ValueError(Text("plan-picture-unreadable", file=str(file), reason=error.strerror)) from error
     except Exception as error:
         # Pillow may raise any exception for a damaged picture.
-        raise ValueError(f"{file}: this picture is damaged, save it anew") from error
+        raise ValueError(Text("plan-picture-damaged", file=str(file))) from error
 
 
 def _grey(image: Image.Image) -> NDArray[np.uint8]:

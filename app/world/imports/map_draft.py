@@ -4,12 +4,12 @@ The walls are the outlines of a region of cells, simplified to few straight line
 """
 
 from pathlib import Path
-from typing import Final, NamedTuple
+from typing import Final, Literal, NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
 
-from app.number_format import percent
+from app.texts import Figure, Text
 from app.world.floorplan import MAX_WALLS
 from app.world.imports.distances import grown, joined, wall_distances
 from app.world.imports.draft import Draft, PlanDocument, path_document, plain_name
@@ -30,6 +30,7 @@ TOLERANCE: Final = 1.0  # cells by which the simplified outline may lie outside 
 SMALL: Final = 12  # cells of circumference, up to which an outline is not simplified
 
 Corner = tuple[int, int]  # column, row of a cell's corner
+Noun = Literal["map", "picture"]  # what the cells were made of
 
 
 class _Walls(NamedTuple):
@@ -46,7 +47,7 @@ def draft_of_map(
     file: Path,
     title: str | None = None,
     name: str | None = None,
-    noun: str = "map",
+    noun: Noun = "map",
     *,
     outside: bool = False,
 ) -> Draft:
@@ -54,8 +55,8 @@ def draft_of_map(
 
     Only the free space connected with the proposed path is kept, and only the inside of a building unless `outside`;
     unknown cells count as walls. The walls lie in occupied or unknown cells, at most one cell behind the surface, never
-    in free cells. A map with too many wall pieces is made simpler and then coarser. `noun` names the map's origin in
-    sentences.
+    in free cells. A map with too many wall pieces is made simpler and then coarser. Sentences name what the cells were
+    made of by `noun`.
 
     Raises
     ------
@@ -66,10 +67,7 @@ def draft_of_map(
     if not outside and _has_open_edge(occupancy):
         building = inside_of_building(occupancy.free, occupancy.resolution)
         if building is None:
-            raise ValueError(
-                f"{file}: all that is free in this {noun} is connected to its edge, so that it shows no building, "
-                "choose to use the outside as well (--outside)"
-            )
+            raise ValueError(Text("plan-map-no-building", file=str(file), noun=noun))
         inside = building
     walls = _walls(inside.free, occupancy.resolution, file, noun)
     cell = OccupancyMap(walls.route.region, occupancy.resolution * walls.side, occupancy.origin)
@@ -82,7 +80,7 @@ def draft_of_map(
         "paths": [path_document(cell.place(walls.route.cells).round(DECIMALS).tolist())],
     }
     sentences = [*_size_sentences(occupancy, walls, noun), *_change_sentences(occupancy, inside, walls)]
-    return Draft(document, (*sentences, "The path is a proposal: change it as you like."))
+    return Draft(document, (*sentences, Text("plan-path-is-proposal")))
 
 
 def _has_open_edge(occupancy: OccupancyMap) -> bool:
@@ -96,7 +94,7 @@ def _has_open_edge(occupancy: OccupancyMap) -> bool:
     return bool(edge.any() if is_drawing else edge.mean() > OPEN_EDGE)
 
 
-def _walls(free: NDArray[np.bool_], resolution: float, file: Path, noun: str) -> _Walls:
+def _walls(free: NDArray[np.bool_], resolution: float, file: Path, noun: Noun) -> _Walls:
     """Return outlines of at most MAX_WALLS pieces: of the cells as they are, without narrow spaces, or coarser."""
     side, least = 1, 0
     while side == 1 or resolution * side <= COARSEST:
@@ -117,13 +115,11 @@ def _walls(free: NDArray[np.bool_], resolution: float, file: Path, noun: str) ->
                 break
         side *= 2
     if least:
+        share = Figure(100 * MAX_WALLS / least)
         raise ValueError(
-            f"{file}: this {noun} has {least:,} wall pieces when it is made as simple as it can be, and at most "
-            f"{MAX_WALLS:,} are taken, keep about {percent(MAX_WALLS / least)} of it and paint the rest as wall, "
-            "or paint over speckles and furniture"
+            Text("plan-map-walls-too-many", file=str(file), noun=noun, count=least, most=MAX_WALLS, share=share)
         )
-    hint = "resolution" if noun == "map" else "scale"
-    raise ValueError(f"{file}: a chair fits nowhere in this {noun}, check its {hint} and thresholds")
+    raise ValueError(Text("plan-map-too-narrow", file=str(file), noun=noun))
 
 
 def _without_narrow_spaces(free: NDArray[np.bool_], width: float) -> NDArray[np.bool_]:
@@ -133,35 +129,38 @@ def _without_narrow_spaces(free: NDArray[np.bool_], width: float) -> NDArray[np.
     return free & grown(wall_distances(free, width / 2 + 2.0) > width / 2, width / 2)
 
 
-def _size_sentences(occupancy: OccupancyMap, walls: _Walls, noun: str) -> list[str]:
+def _size_sentences(occupancy: OccupancyMap, walls: _Walls, noun: Noun) -> list[Text]:
     rows, columns = occupancy.free.shape
     area, cell = occupancy.resolution**2, occupancy.resolution * walls.side
     used_rows, used_columns = (np.flatnonzero(walls.route.region.any(axis=axis)) for axis in (1, 0))
     width, height = (float(used[-1] - used[0] + 1) * cell for used in (used_columns, used_rows))
     free = np.count_nonzero(walls.route.region) * cell**2
     sentences = [
-        f"{sum(map(len, walls.loops)):,} wall pieces.",
-        f"The plan is {width:.1f} x {height:.1f} m large, with {free:.1f} m² free; the whole {noun} is "
-        f"{columns * occupancy.resolution:.1f} x {rows * occupancy.resolution:.1f} m.",
+        Text("plan-wall-pieces", count=sum(map(len, walls.loops))),
+        Text(
+            "plan-map-size",
+            noun=noun,
+            width=Figure(width, 1),
+            height=Figure(height, 1),
+            free=Figure(free, 1),
+            whole_width=Figure(columns * occupancy.resolution, 1),
+            whole_height=Figure(rows * occupancy.resolution, 1),
+        ),
     ]
     if noun == "map":
-        sentences.append(f"{occupancy.unknown * area:.1f} m² of the map are unknown and count as wall.")
+        sentences.append(Text("plan-map-unknown", area=Figure(occupancy.unknown * area, 1)))
     return sentences
 
 
-def _change_sentences(occupancy: OccupancyMap, inside: Inside, walls: _Walls) -> list[str]:
+def _change_sentences(occupancy: OccupancyMap, inside: Inside, walls: _Walls) -> list[Text]:
     sentences = []
     if inside.opening > 0:
-        sentences.append(
-            f"The building is open to the outside: its openings of up to {inside.opening:.1f} m are closed in the plan."
-        )
+        sentences.append(Text("plan-map-open", width=Figure(inside.opening, 1)))
     if walls.narrow > 0:
-        sentences.append(f"There were too many wall pieces: spaces narrower than {walls.narrow} m are closed.")
+        sentences.append(Text("plan-map-narrow-closed", width=Figure(walls.narrow, 1)))
     if walls.side > 1:
-        sentences.append(
-            f"{walls.side} x {walls.side} cells are joined to cells of {occupancy.resolution * walls.side:.2f} m; "
-            "walls may be thicker by that."
-        )
+        size = Figure(occupancy.resolution * walls.side, 2)
+        sentences.append(Text("plan-map-cells-joined", side=walls.side, size=size))
     return sentences
 
 

@@ -8,6 +8,7 @@ from pydantic import ValidationError
 
 from app.json_values import JsonObject
 from app.sentences import one_sentence
+from app.texts import Text, reader_language, to_document
 from app.world.imports.draft import Draft
 from app.world.imports.dxf import import_dxf
 from app.world.imports.image import import_image
@@ -40,15 +41,19 @@ def import_plan(file: Path, options: Options, image: Path | None = None) -> Draf
     if suffix in MAPS:
         occupancy = read_occupancy_map(file, image)
         return draft_of_map(occupancy, file, options.title, options.name, outside=options.outside)
-    raise ValueError(f"{file}: this is no {', '.join(SUFFIXES)} file, name another")
+    raise ValueError(Text("plan-file-of-no-kind", file=str(file), kinds=", ".join(SUFFIXES)))
 
 
 class PlanQuestion(TypedDict):
-    """A file to import, the image of a ROS map where it lies elsewhere, and the document of its options."""
+    """A file to import, the image of a ROS map where it lies elsewhere, and the document of its options.
+
+    The titles in the plan are in `language`.
+    """
 
     file: str
     image: str | None
     options: JsonObject
+    language: str
 
 
 def answer(question: PlanQuestion) -> dict[str, object]:
@@ -57,16 +62,16 @@ def answer(question: PlanQuestion) -> dict[str, object]:
     Raises
     ------
     ValueError
-        One sentence that names the file without its folder, and what to do.
+        One sentence that names the file and what to do.
     """
     file, image = Path(question["file"]), question["image"]
     try:
         options = Options.model_validate_json(json.dumps(question["options"]))
     except ValidationError as error:
-        raise ValueError(one_sentence(error, "the import")) from error
+        raise ValueError(one_sentence(error, Text("plan-the-import"))) from error
     try:
-        return import_plan(file, options, None if image is None else Path(image))._asdict()
-    except ValueError as error:
-        raise ValueError(str(error).replace(f"{file.parent}/", "")) from error
+        with reader_language(question["language"]):
+            draft = import_plan(file, options, None if image is None else Path(image))
     except MemoryError as error:
-        raise ValueError(f"{file.name}: this needs too much memory, make it smaller") from error
+        raise ValueError(Text("plan-file-memory", file=file.name)) from error
+    return draft._asdict() | {"messages": [to_document(message) for message in draft.messages]}

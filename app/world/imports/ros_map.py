@@ -13,6 +13,7 @@ from pydantic import BaseModel, BeforeValidator, ConfigDict, Field, ValidationEr
 
 from app.quantities import Fraction, Metres
 from app.sentences import one_sentence
+from app.texts import Text, text_of
 
 MOST_CELLS = 40_000_000
 FORMATS = ("PPM", "PNG", "BMP", "JPEG")  # other formats can hold several pictures or need a further library
@@ -99,9 +100,7 @@ def read_occupancy_map(file: Path, image_file: Path | None = None) -> OccupancyM
         cells[~opaque] = UNKNOWN
     free = np.ascontiguousarray(np.flipud(cells == FREE))
     if not free.any():
-        raise ValueError(
-            f"{image_file}: no pixel is free, check mode, negate, free_thresh and occupied_thresh in {file.name}"
-        )
+        raise ValueError(Text("plan-map-nothing-free", file=str(image_file), document=file.name))
     return OccupancyMap(free, document.resolution, document.origin, int(np.count_nonzero(cells == UNKNOWN)))
 
 
@@ -147,18 +146,19 @@ def _read_document(file: Path) -> MapDocument:
         text = file.read_text(encoding="utf-8")
         # A few nested aliases expand to billions of values; no map needs an alias.
         if any(isinstance(event, yaml.AliasEvent) for event in yaml.parse(text, Loader=yaml.BaseLoader)):
-            raise ValueError(f"{file}: a map's document has no aliases (*name), write the values themselves")
+            raise ValueError(Text("plan-map-alias", file=str(file)))
         content = yaml.load(text, Loader=yaml.BaseLoader)  # noqa: S506  (reads nothing but text, lists and mappings)
     except FileNotFoundError as error:
-        raise ValueError(f"{file}: there is no such file, check its name") from error
+        raise ValueError(Text("plan-file-missing", file=str(file))) from error
     except OSError as error:
-        raise ValueError(f"{file}: this file cannot be read ({error.strerror or error}), check it") from error
+        reason = error.strerror or str(error)
+        raise ValueError(Text("plan-file-unreadable", file=str(file), reason=reason)) from error
     except (yaml.YAMLError, ValueError, RecursionError) as error:
-        if str(error).startswith(f"{file}: "):
+        if isinstance(text_of(error), Text):
             raise
-        raise ValueError(f"{file}: this is not a YAML document, name the .yaml file of a map_server map") from error
+        raise ValueError(Text("plan-map-no-yaml", file=str(file))) from error
     if not isinstance(content, dict):
-        raise ValueError(f"{file}: this is not a map's document (image, resolution, origin), name another file")
+        raise ValueError(Text("plan-map-no-document", file=str(file)))
     try:
         return MapDocument.model_validate(content)
     except ValidationError as error:
@@ -172,14 +172,14 @@ def _read_image(image_file: Path, named_in: Path) -> tuple[NDArray[np.uint8], ND
             too_large = image.width * image.height > MOST_CELLS
             read = None if too_large else (_grey(image), _opaque(image))
     except FileNotFoundError as error:
-        raise ValueError(f"{image_file}: there is no such image, put it beside {named_in.name}") from error
+        raise ValueError(Text("plan-map-image-missing", file=str(image_file), document=named_in.name)) from error
     except (UnidentifiedImageError, Image.DecompressionBombError, Image.DecompressionBombWarning) as error:
-        raise ValueError(f"{image_file}: this is not an image (PGM or PNG) that can be read, save it anew") from error
+        raise ValueError(Text("plan-map-no-image", file=str(image_file))) from error
     except (OSError, SyntaxError, ValueError) as error:
-        reason = getattr(error, "strerror", None) or error
-        raise ValueError(f"{image_file}: this image cannot be read ({reason}), save it anew") from error
+        reason = getattr(error, "strerror", None) or str(error)
+        raise ValueError(Text("plan-map-image-unreadable", file=str(image_file), reason=reason)) from error
     if read is None:
-        raise ValueError(f"{image_file}: this image has more than {MOST_CELLS:,} pixels, make it coarser")
+        raise ValueError(Text("plan-map-image-pixels", file=str(image_file), most=MOST_CELLS))
     return read
 
 

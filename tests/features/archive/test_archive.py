@@ -83,7 +83,7 @@ def test_another_clinic_gets_the_same_trials_recordings_and_records_and_returns_
     assert archive_of(other, tmp_path / "again.zip", found.patient_id, "Ben") == digest
     for file in (first.runs / RUN).iterdir():
         assert (other.runs / RUN / file.name).read_bytes() == file.read_bytes()
-    assert read_run(other.runs / RUN).damage == ""
+    assert read_run(other.runs / RUN).damage is None
 
 
 def test_the_story_of_an_imported_session_has_no_stop_of_this_clinic(archive, other, monkeypatch):
@@ -124,7 +124,7 @@ def test_a_recording_that_a_killed_import_left_is_in_nobodys_way(archive, other)
     left.mkdir(parents=True)
     (left / "run.parquet").write_bytes(b"half")
     assert bring(other, archive[0]).is_new
-    assert read_run(left).damage == ""
+    assert read_run(left).damage is None
 
 
 def test_a_patient_who_is_here_already_is_refused(archive, other):
@@ -252,7 +252,7 @@ def test_an_archive_cut_anywhere_or_with_a_changed_byte_changes_nothing(archive,
         with suppress(ValueError, Conflict):
             imported = bring(other, target).is_new or imported  # a byte that no reader of zip files uses
     if imported:
-        assert read_run(other.runs / RUN).damage == ""
+        assert read_run(other.runs / RUN).damage is None
     else:
         assert state_of(other) == before
 

@@ -53,7 +53,7 @@ def test_an_archive_goes_to_another_clinic_and_leaves_it_with_the_same_hash(
     (row,) = [row for row in signed_in.log() if row.what == "archive imported"]
     assert (row.person, row.details["patient"]) == ("Demo clinician", patient)
     runs = signed_in.settings.runs
-    assert read_run(runs / RUN).damage == ""
+    assert read_run(runs / RUN).damage is None
     before = state_of(signed_in)
     assert brought(signed_in, package).json() == {**imported, "is_new": False, "sessions": 0, "trials": 0}
     assert state_of(signed_in) == before

@@ -62,7 +62,7 @@ def test_drives_and_their_recordings_come_along_and_go_on_with_the_same_hash(dri
     patient = bring(other, package).patient_id
     assert figures(other, patient) == figures(first, 1)
     assert [one[-1] for one in figures(other, patient)] == [12.5, None]
-    assert read_run(other.runs / DRIVE).damage == ""
+    assert read_run(other.runs / DRIVE).damage is None
     assert archive_of(other, tmp_path / "again.zip", patient, "Ben") == digest
     third = empty_clinic(tmp_path / "third")
     again = bring(third, tmp_path / "again.zip").patient_id

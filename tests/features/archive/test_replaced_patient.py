@@ -95,7 +95,7 @@ def test_a_newer_archive_is_refused_and_replaces_when_a_person_asks_for_that(
     recording = (settings.runs / RUN / "run.parquet").stat().st_mtime_ns
     found = bring(settings, archives.second, replace=True)
     assert (found.code, found.is_new, found.sessions, found.trials) == ("=P-1", False, 2, 2)
-    assert read_run(settings.runs / LATER).damage == ""
+    assert read_run(settings.runs / LATER).damage is None
     assert (settings.runs / RUN / "run.parquet").stat().st_mtime_ns == recording  # a recording never changes
     with closing(Database(settings.database)) as database, database.transaction() as db:
         assert [one.code for one in db.query(Patient)].count("=P-1") == 1
