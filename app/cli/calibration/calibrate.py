@@ -18,6 +18,7 @@ if TYPE_CHECKING:
     from app.calibration.linear_map import Arrangement, Forecast, MapCheck, MapKind
     from app.calibration.prior.prior_map import PriorFit
     from app.calibration.profile import CalibrationProfile, JointMap
+    from app.texts import Text
 
 MAP_NAMES = {"pca": "standard", "guided": "cues", "prior": "people"}
 THRESHOLDS = ("dead_zone", "full")
@@ -116,16 +117,17 @@ def _rate(share: float) -> str:
     return f"{100 * share:.0f} % / s"
 
 
-def _summary(profile: "CalibrationProfile", reasons: dict[str, str], out: Path) -> dict[str, object]:
+def _summary(profile: "CalibrationProfile", reasons: "dict[str, Text]", out: Path) -> dict[str, object]:
     """Return the object of `--json`; a joint without a map has a reason, but no numbers."""
     from app.calibration.fit.profile_fit import joints_without_map
 
     without = {
-        name: {**dict.fromkeys(PRINTED), "has_to_be_repeated": True, "reason": reason}
+        name: {**dict.fromkeys(PRINTED), "has_to_be_repeated": True, "reason": str(reason)}
         for name, reason in joints_without_map(profile).items()
     }
     mapped = {
         joint.name: {name: getattr(joint, name) for name in PRINTED[: -len(THRESHOLDS)]}
+        | {"reason": str(joint.description)}
         | dict(zip(THRESHOLDS, joint.thresholds, strict=True))
         for joint in profile.joints
     }
@@ -134,7 +136,7 @@ def _summary(profile: "CalibrationProfile", reasons: dict[str, str], out: Path) 
 
 
 def _report(
-    profile: "CalibrationProfile", reasons: dict[str, str], out: Path, expected: Mapping[str, tuple[str, str]]
+    profile: "CalibrationProfile", reasons: "dict[str, Text]", out: Path, expected: Mapping[str, tuple[str, str]]
 ) -> str:
     """Return a table for people: one line per joint, then the reasons, then the file of the profile.
 
@@ -163,7 +165,7 @@ def _report(
         "Expected: how many of 100 movements reach half of full, and how often it acts at rest, a minute.",
         "",
     ]
-    lines += [f"{joint.name}: {joint.reason}" for joint in profile.joints]
+    lines += [f"{joint.name}: {joint.description}" for joint in profile.joints]
     lines += [f"{name}: {reason}" for name, reason in without.items()]
     lines += [f"Channel {name} is left out: {reason}." for name, reason in profile.left_out.items()]
     lines += ["", *comparison(profile, reasons, width), "", f"The profile is in {out}"]
@@ -180,7 +182,7 @@ def _gesture_table(discovery: "Discovery") -> str:
     ]
     suggestion = discovery.suggestion
     bound = [f"{CONTROLS[binding.control]}: {' + '.join(binding.gestures)}" for binding in suggestion.bindings]
-    return "\n".join([*lines, "", suggestion.reason, ", ".join(bound)])
+    return "\n".join([*lines, "", str(suggestion.reason), ", ".join(bound)])
 
 
 def _cells(gesture: "FoundGesture") -> list[str]:
@@ -189,8 +191,8 @@ def _cells(gesture: "FoundGesture") -> list[str]:
     forecast = gesture.prediction
     return [
         f"{gesture.score:.2f}",
-        signal_word(gesture.signal_to_noise),
-        "-" if gesture.repeatability is None else repeats_word(gesture.repeatability),
+        str(signal_word(gesture.signal_to_noise)),
+        "-" if gesture.repeatability is None else str(repeats_word(gesture.repeatability)),
         _share(gesture.cross_talk),
         _share(gesture.effort),
         "-" if forecast is None or forecast.false_per_minute is None else f"{forecast.false_per_minute:.1f}",
@@ -218,13 +220,13 @@ def _prior_report(prior_fit: "PriorFit") -> list[str]:
     return joints + [_ring_sentence(ring, arrangement) for ring, arrangement in prior_fit.arrangement.items()]
 
 
-def _prior_facts(joint: "JointMap", reasons: dict[str, str]) -> dict[str, object]:
+def _prior_facts(joint: "JointMap", reasons: "dict[str, Text]") -> dict[str, object]:
     prior = joint.prior
     if prior is None:
-        return {"offered": False, "reason": reasons[joint.name]}
+        return {"offered": False, "reason": str(reasons[joint.name])}
     return {
         "offered": prior.is_better,
-        "source": prior.source,
+        "source": str(prior.source),
         "people": prior.people,
         "repetitions": prior.repetitions,
         "dropped": list(prior.dropped),
@@ -241,7 +243,7 @@ def _forecast(forecast: "Forecast | None") -> object:
     return "not known" if forecast is None else forecast.model_dump(mode="json")
 
 
-def _joint_sentence(joint: "JointMap", reasons: dict[str, str]) -> str:
+def _joint_sentence(joint: "JointMap", reasons: "dict[str, Text]") -> str:
     prior = joint.prior
     if prior is None:
         return f"{joint.name}: {reasons[joint.name]}"
@@ -269,8 +271,8 @@ def _ring_sentence(ring: str, arrangement: "Arrangement") -> str:
 def choose(
     profile: "CalibrationProfile",
     chosen: MapChoice,
-    reasons: dict[str, str],
-    prior_reasons: dict[str, str] | None = None,
+    reasons: "dict[str, Text]",
+    prior_reasons: "dict[str, Text] | None" = None,
 ) -> "tuple[CalibrationProfile, list[str]]":
     """Return the profile with the chosen map of each joint, and a sentence for each joint without it.
 
@@ -313,10 +315,10 @@ def _map_of(joint: "JointMap", chosen: MapChoice) -> "MapKind":
     return joint.best_map if chosen == "best" else "pca"
 
 
-def checks(joint: "JointMap", reasons: dict[str, str]) -> dict[str, object]:
+def checks(joint: "JointMap", reasons: "dict[str, Text]") -> dict[str, object]:
     """Return the map in use and the checks of both maps, or the reason why there is no guided map."""
     if joint.guided is None:
-        return {"map": joint.map, "offered": False, "reason": reasons[joint.name]}
+        return {"map": joint.map, "offered": False, "reason": str(reasons[joint.name])}
     guided = joint.guided
     return {
         "map": joint.map,
@@ -335,7 +337,7 @@ def _check_facts(check: "MapCheck | None") -> object:
     return None if check is None else check.model_dump(mode="json")
 
 
-def comparison(profile: "CalibrationProfile", reasons: dict[str, str], width: int) -> list[str]:
+def comparison(profile: "CalibrationProfile", reasons: "dict[str, Text]", width: int) -> list[str]:
     """Return the table of both maps on the held-out repetitions, then the reasons for missing guided maps."""
     both = [(joint.name, joint.guided) for joint in profile.joints if joint.guided]
     lines = []
