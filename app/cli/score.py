@@ -94,9 +94,9 @@ def _check_units(trajectory: Path, rows: float, measures: "Measures") -> None:
 def _table(measures: "Measures") -> str:
     measures_by_name = TRIAL_MEASURES | CIRCUMSTANCES
     lines = [
-        f"{REACHED_NAME:<44} {_written(value)}"
+        f"{REACHED_NAME!s:<44} {_written(value)}"
         if name == REACHED
-        else f"{measures_by_name[name].name:<44} {_written(value)} {measures_by_name[name].unit}".rstrip()
+        else f"{measures_by_name[name].name!s:<44} {_written(value)} {measures_by_name[name].unit}".rstrip()
         for name, value in measures.items()
     ]
     return "\n".join([*lines, "", CANCELLING])

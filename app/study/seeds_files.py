@@ -9,6 +9,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING
 
 import numpy as np
+from pydantic_core import to_jsonable_python
 
 from app import __version__
 from app.scoring.measures import TRIAL_MEASURES
@@ -85,7 +86,7 @@ def seeds_summary(results: Sequence[StudyResult]) -> dict[str, object]:
                     for trial in result.trials
                 ],
                 "learning": {
-                    measure: {part: result.learning[measure][part] for part in ("text", "details")}
+                    measure: to_jsonable_python({part: result.learning[measure][part] for part in ("text", "details")})
                     for measure in MEASURES
                 },
             }
@@ -108,7 +109,7 @@ def _sentence(measure: str, over: MeasureOverSeeds, seeds: int) -> str:
     entry = TRIAL_MEASURES[measure]
 
     def number(value: float | None) -> str:
-        return "no trial that reached the goal" if value is None else entry.level(value)
+        return "no trial that reached the goal" if value is None else str(entry.level(value))
 
     steepest = "" if over.median_step is None else f", the median's from trial {over.median_step} on"
     return (

@@ -127,7 +127,7 @@ def verdict_texts(material: ExportMaterial) -> dict[int, dict[str, str]]:
         for row in task.rows:
             verdicts = trial_verdicts(task.rows, task.clinic, row["id"], None).verdicts
             judged = {name: verdict.word for name, verdict in verdicts.items() if verdict.word != "number"}
-            texts[row["id"]] = {name: VERDICT_WORDS[word] for name, word in judged.items()}
+            texts[row["id"]] = {name: str(VERDICT_WORDS[word]) for name, word in judged.items()}
     return texts
 
 

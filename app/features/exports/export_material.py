@@ -108,7 +108,7 @@ def run_facts(code: str, run: RecordedRun, meta: dict[str, Any], damage: str) ->
         "kind": run.kind,
         "task": run.task,
         "trial": "" if trial is None else str(trial.number),
-        "interruptions": "" if trial is None else interruption_text(trial.measures),
+        "interruptions": "" if trial is None else str(interruption_text(trial.measures) or ""),
         "test": "" if run.test is None else str(run.test.number),
         "started": run.started.isoformat(),
         "source": source_description(run.source),

@@ -64,8 +64,8 @@ def _observations(
             **({"meta": {"security": [TEST_DATA]}} if run.source.simulated else {}),
             "status": "final",
             "code": {
-                "coding": [{"system": MEASURE_CODES, "code": name, "display": measure.defined_as}],
-                "text": measure.defined_as,
+                "coding": [{"system": MEASURE_CODES, "code": name, "display": str(measure.defined_as)}],
+                "text": str(measure.defined_as),
             },
             "effectiveDateTime": done.started.isoformat(),
             "valueQuantity": {"value": done.measures[name], "unit": measure.ucum, "system": UCUM, "code": measure.ucum},

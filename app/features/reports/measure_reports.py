@@ -57,7 +57,7 @@ def task_report(task: TaskMaterial, session: int | None, *, name_source: bool) -
     compared = _comparison(verdicts.sessions, newest, course=session is None)
     trajectories, description = _trajectories(task, session, compared)
     curve = learning_curves(rows, [main], task.clinic).get(main)
-    said = () if curve is None else (curve["text"], curve["sessions"])
+    said = () if curve is None else (curve["text"], curve["sessions"] or "")
     return TaskReport(
         title=task.title,
         lead=" ".join([f"{task.source}."] * name_source + [_trials_text(rows, session), _compared_text(compared)]),
@@ -68,9 +68,9 @@ def task_report(task: TaskMaterial, session: int | None, *, name_source: bool) -
         curve=None if curve is None else _curve(main, rows, newest, curve["fit"]),
         curve_description=f"{amount(len(rows), 'trial')}; session {newest} is orange. Rings: to get used to the task. "
         "S: a session begins.",
-        curve_title=f"Learning curve: {TRIAL_MEASURES[main].name.lower()} in every trial",
-        sentences=tuple(sentence for sentence in (*verdicts.deterioration.values(), *said) if sentence),
-        statistics=() if curve is None else tuple(curve["details"]),
+        curve_title=f"Learning curve: {str(TRIAL_MEASURES[main].name).lower()} in every trial",
+        sentences=tuple(str(sentence) for sentence in (*verdicts.deterioration.values(), *said) if sentence),
+        statistics=() if curve is None else tuple(map(str, curve["details"])),
     )
 
 
@@ -82,7 +82,7 @@ def _comparison(sessions: Sequence[SessionVerdicts], newest: int, *, course: boo
 
 def _measure(name: str, rows: Rows, newest: int, compared: SessionVerdicts | None) -> MeasureRow:
     verdict: Verdict | None = None if compared is None else compared.verdicts.get(name)
-    measure_name = TRIAL_MEASURES[name].name
+    measure_name = str(TRIAL_MEASURES[name].name)
     if verdict is None:
         level = with_unit(name, _level(name, rows, newest))
         return MeasureRow(measure_name, level, "", "", NOTHING_BEFORE, "", None)
@@ -90,7 +90,7 @@ def _measure(name: str, rows: Rows, newest: int, compared: SessionVerdicts | Non
     noise = noise_text(name, verdict)
     now, before = with_unit(name, verdict.later), with_unit(name, verdict.earlier)
     drawing = band_drawing(verdict, tone, f"{measure_name}: {before}, now {now}; within noise from {noise}.")
-    return MeasureRow(measure_name, now, before, noise, VERDICT_WORDS[verdict.word], tone, drawing)
+    return MeasureRow(measure_name, now, before, noise, str(VERDICT_WORDS[verdict.word]), tone, drawing)
 
 
 def _reaching(rows: Rows, newest: int, compared: SessionVerdicts | None) -> tuple[MeasureRow, ...]:
@@ -98,9 +98,11 @@ def _reaching(rows: Rows, newest: int, compared: SessionVerdicts | None) -> tupl
     verdict: Verdict | None = None if compared is None else compared.verdicts.get(REACHED)
     if verdict is None:
         reached = [bool(row.get("reached", True)) for row in rows if row["session"] == newest]
-        return (MeasureRow(REACHED_NAME, share_text(sum(reached) / len(reached)), "", "", NOTHING_BEFORE, "", None),)
+        name, share = str(REACHED_NAME), share_text(sum(reached) / len(reached))
+        return (MeasureRow(name, share, "", "", NOTHING_BEFORE, "", None),)
     now, before = share_text(verdict.later), share_text(verdict.earlier)
-    return (MeasureRow(REACHED_NAME, now, before, "", VERDICT_WORDS[verdict.word], TONES[verdict.word], None),)
+    word = str(VERDICT_WORDS[verdict.word])
+    return (MeasureRow(str(REACHED_NAME), now, before, "", word, TONES[verdict.word], None),)
 
 
 def _level(name: str, rows: Rows, session: int) -> float | None:
@@ -184,13 +186,13 @@ def _curve(name: str, rows: Rows, newest: int, fit: dict[str, Any] | None) -> Dr
         for row in rows
         if (value := value_of(row, name)) is not None
     ]
-    description = f"{TRIAL_MEASURES[name].as_subject} over {amount(len(points), 'trial')}."
+    description = f"{TRIAL_MEASURES[name].name} over {amount(len(points), 'trial')}."
     return curve_drawing(points, fit, TRIAL_MEASURES[name], description)
 
 
 def with_unit(name: str, value: float | None) -> str:
     """Return a level of a measure in words; "" for None."""
-    return "" if value is None or not math.isfinite(value) else TRIAL_MEASURES[name].level(value)
+    return "" if value is None or not math.isfinite(value) else str(TRIAL_MEASURES[name].level(value))
 
 
 def share_text(share: float | None) -> str:
@@ -203,7 +205,7 @@ def noise_text(name: str, verdict: Verdict) -> str:
     if verdict.low is None or verdict.high is None:
         return ""
     measure = TRIAL_MEASURES[name]
-    return measure.with_unit(f"{measure.figure(verdict.low)} to {measure.figure(verdict.high)}")
+    return str(measure.with_unit(f"{measure.figure(verdict.low)} to {measure.figure(verdict.high)}"))
 
 
 def interface_test_report(
@@ -225,7 +227,7 @@ def interface_test_report(
     return InterfaceTestReport(
         lead=f"{source}{amount(len(counted), 'complete test')}{until}.{others}",
         table=ReportTable(
-            ("Test", *(measure.name for measure in TEST_MEASURES.values()), WORKLOAD_NAME),
+            ("Test", *(str(measure.name) for measure in TEST_MEASURES.values()), str(WORKLOAD_NAME)),
             tuple(map(_row, shown)) + tuple(map(_verdicts, compared)),
         ),
     )
@@ -246,7 +248,8 @@ def _row(reported: ReportedTest) -> tuple[str, ...]:
         return (head, ENDS[end or "fault"], *[""] * len(TEST_MEASURES))
     workload = "" if reported.workload is None else f"{reported.workload:.0f}"
     levels = (
-        "" if (value := measures.get(name)) is None else measure.level(value) for name, measure in TEST_MEASURES.items()
+        "" if (value := measures.get(name)) is None else str(measure.level(value))
+        for name, measure in TEST_MEASURES.items()
     )
     return (head, *levels, workload)
 
@@ -255,6 +258,6 @@ def _verdicts(compared: InterfaceVerdicts) -> tuple[str, ...]:
     verdicts = (compared.verdicts[name].word if name in compared.verdicts else None for name in TEST_MEASURES)
     return (
         f"{compared.later} against {compared.earlier}",
-        *("" if word is None else VERDICT_WORDS_OF_TESTS[word] for word in verdicts),
+        *("" if word is None else str(VERDICT_WORDS_OF_TESTS[word]) for word in verdicts),
         "",
     )

@@ -134,7 +134,7 @@ def attention(person: Anyone, database: Db, deteriorations: DeteriorationsPart) 
     for task, deterioration in deteriorations_of.items():
         if deterioration is not None:
             reason = Attention(
-                "deterioration", deterioration.measures, deterioration.session_id, None, deterioration.sentence
+                "deterioration", deterioration.measures, deterioration.session_id, None, str(deterioration.sentence)
             )
             worse[task.patient_id].append(reason)
     listed = [

@@ -20,6 +20,7 @@ from app.store.access.visible_patients import every_patient, of_clinic
 from app.store.database import Database
 from app.store.learning_trials import counted_trials
 from app.store.tables import Patient
+from app.texts import Text
 
 LOG = logging.getLogger(__name__)
 KEPT = 20_000  # tasks: more than a clinic of 1,000 patients has; with fewer, a page would never be complete
@@ -40,7 +41,7 @@ class Deterioration(NamedTuple):
 
     measures: int  # how many of them
     session_id: int  # the newest session with the task
-    sentence: str
+    sentence: Text
 
 
 class Deteriorations:

@@ -39,7 +39,7 @@ def rows_of(report, number=0):
 def test_a_session_shows_its_tests_and_those_that_the_newest_is_compared_with(tested):
     report = compose(material_of(*tested, 2))
     (tests,) = report.tests
-    assert tests.table.head == ("Test", *(measure.name for measure in TEST_MEASURES.values()), WORKLOAD_NAME)
+    assert tests.table.head == ("Test", *(str(measure.name) for measure in TEST_MEASURES.values()), str(WORKLOAD_NAME))
     assert [row[0].split(",")[0] for row in tests.table.rows] == [
         *("1", "7", "8", "9", "10", "11", "12", "12 against 11", "12 against 1")
     ]
