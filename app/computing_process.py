@@ -18,6 +18,7 @@ from typing import Final, ParamSpec, TypeVar, cast
 from app.child_process import prepare_child, start_connected
 from app.clock import monotonic
 from app.refusals import Conflict, DiskFull, Unavailable
+from app.texts import text_of
 
 IDLE_LIMIT: Final = 300.0  # s without a question, after which the process ends and gives its memory back
 ANSWER_LIMIT: Final = 120.0  # s
@@ -222,7 +223,7 @@ def answer(question: Callable[[], object]) -> tuple[Exception | None, object]:
     try:
         return None, question()
     except ValueError as error:
-        return ValueError(str(error)), None
+        return ValueError(text_of(error)), None
     except OSError as error:
         return OSError(str(error)), None
     except (Conflict, DiskFull) as error:

@@ -1,13 +1,14 @@
 """Texts: the sentence of an id in the reader's language, and what is kept of it."""
 
 import pickle
+from typing import Any
 
 import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 from pydantic import BaseModel
 
-from app.texts import Figure, Text, from_document, reader_language, text_of, to_document
+from app.texts import Figure, Text, from_document, in_sequence, reader_language, text_of, to_document
 
 PATH = Text("drive-no-path", path="Corridor")
 IN_ENGLISH = "This floor plan has no path “Corridor” any more: choose another task."
@@ -21,6 +22,10 @@ VALUES = st.recursive(
 class Answer(BaseModel):
     message: Text
     name: Text | None = None
+
+
+class AnyAnswer(BaseModel):
+    facts: dict[str, Any]
 
 
 def test_a_sentence_is_in_the_language_of_the_reader():
@@ -64,6 +69,16 @@ def test_a_field_is_a_string_in_json():
     assert Answer(message=PATH).model_dump_json() == f'{{"message":"{IN_ENGLISH}","name":null}}'
     assert Answer(message=PATH, name="Right wrist").model_dump(mode="json")["name"] == "Right wrist"
     assert Answer.model_json_schema()["properties"]["message"] == {"title": "Message", "type": "string"}
+
+
+def test_in_a_field_of_any_type_it_is_a_string_in_json():
+    assert AnyAnswer(facts={"first": [PATH]}).model_dump_json() == f'{{"facts":{{"first":["{IN_ENGLISH}"]}}}}'
+
+
+def test_sentences_follow_one_another():
+    sentences = [Text("drive-title"), PATH, Text("drive-title")]
+    assert str(in_sequence(sentences)) == f"Where to? {IN_ENGLISH} Where to?"
+    assert in_sequence([PATH]) == PATH
 
 
 @given(VALUES)
