@@ -4,14 +4,15 @@ The sentences stand in web_static/words/LANGUAGE/, those that only the server sh
 passes and stores ids with values; the sentence is made where somebody reads it.
 """
 
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from contextlib import contextmanager
 from contextvars import ContextVar
 from datetime import date, datetime, time
-from typing import Any, Final, NamedTuple, Union
+from functools import reduce
+from typing import Any, ClassVar, Final, NamedTuple, Union
 
 from pydantic import GetCoreSchemaHandler
-from pydantic_core import CoreSchema, core_schema
+from pydantic_core import CoreSchema, SchemaSerializer, core_schema
 
 ENGLISH: Final = "en"
 LANGUAGES: Final = (ENGLISH,)  # that a person can choose
@@ -41,6 +42,10 @@ class Text:
     """
 
     __slots__ = ("id", "values")
+    __pydantic_serializer__: ClassVar = SchemaSerializer(
+        core_schema.any_schema(serialization=core_schema.to_string_ser_schema())
+    )
+    """In a field of any type, too, it is sent as a sentence."""
 
     def __init__(self, id: str, /, **values: Value) -> None:  # noqa: A002
         self.id = id
@@ -89,6 +94,11 @@ def text_of(error: Exception) -> Text | str:
     """Return the text that an exception was raised with, its message when it was raised with a string."""
     first = error.args[0] if len(error.args) == 1 else None
     return first if isinstance(first, Text) else str(error)
+
+
+def in_sequence(sentences: Iterable[Text]) -> Text:
+    """Return sentences, of which there is at least one, one after the other as one text."""
+    return reduce(lambda before, after: Text("text-sequence", before=before, after=after), sentences)
 
 
 def to_document(text: Text | str) -> Any:

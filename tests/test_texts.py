@@ -2,13 +2,23 @@
 
 import pickle
 from datetime import UTC, date, datetime, time
+from typing import Any
 
 import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 from pydantic import BaseModel
 
-from app.texts import Figure, Text, from_document, reader_language, text_of, to_document, value_text
+from app.texts import (
+    Figure,
+    Text,
+    from_document,
+    in_sequence,
+    reader_language,
+    text_of,
+    to_document,
+    value_text,
+)
 
 PATH = Text("drive-no-path", path="Corridor")
 IN_ENGLISH = "This floor plan has no path “Corridor” any more: choose another task."
@@ -28,6 +38,10 @@ VALUES = st.recursive(
 class Answer(BaseModel):
     message: Text
     name: Text | None = None
+
+
+class AnyAnswer(BaseModel):
+    facts: dict[str, Any]
 
 
 def test_a_sentence_is_in_the_language_of_the_reader():
@@ -80,6 +94,16 @@ def test_a_field_is_a_string_in_json():
     assert Answer(message=PATH).model_dump_json() == f'{{"message":"{IN_ENGLISH}","name":null}}'
     assert Answer(message=PATH, name="Right wrist").model_dump(mode="json")["name"] == "Right wrist"
     assert Answer.model_json_schema()["properties"]["message"] == {"title": "Message", "type": "string"}
+
+
+def test_in_a_field_of_any_type_it_is_a_string_in_json():
+    assert AnyAnswer(facts={"first": [PATH]}).model_dump_json() == f'{{"facts":{{"first":["{IN_ENGLISH}"]}}}}'
+
+
+def test_sentences_follow_one_another():
+    sentences = [Text("drive-title"), PATH, Text("drive-title")]
+    assert str(in_sequence(sentences)) == f"Where to? {IN_ENGLISH} Where to?"
+    assert in_sequence([PATH]) == PATH
 
 
 @given(VALUES)

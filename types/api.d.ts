@@ -5659,7 +5659,9 @@ export interface components {
             layout: components["schemas"]["ShirtLayout"];
             sample_rate: number;
             left_out: {
-                [key: string]: string;
+                [key: string]: string | {
+                    [key: string]: unknown;
+                };
             };
             low: number[];
             high: number[];
@@ -5968,7 +5970,7 @@ export interface components {
         Discovery: {
             /** @enum {string} */
             source: "recordings" | "profile";
-            message: string;
+            message: string | null;
             gestures: components["schemas"]["FoundGesture"][];
             not_found: {
                 [key: string]: string;
@@ -6479,7 +6481,7 @@ export interface components {
             filtered_step: number;
             /** @enum {string} */
             grade: "good" | "usable" | "repeat";
-            reason: string;
+            reason: string | unknown[];
             /**
              * @default pca
              * @enum {string}
@@ -6803,12 +6805,9 @@ export interface components {
             better: ("low" | "high") | null;
             /** @default 1 */
             factor: number;
-            /** @default  */
-            subject: string;
-            /** @default  */
-            definition: string;
-            /** @default  */
-            meaning: string;
+            subject: string | null;
+            definition: string | null;
+            meaning: string | null;
             /** @default true */
             needs_goal: boolean;
             /** @default false */

@@ -6,7 +6,7 @@ from typing import Literal, NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from app.number_format import percent
+from app.texts import Figure, Text
 
 Condition = Literal["good", "near", "railed", "flat", "noisy", "nan"]
 
@@ -25,10 +25,10 @@ class ChannelQuality(NamedTuple):
     """The condition of one channel, also in words."""
 
     condition: Condition
-    message: str
+    message: Text | None  # to stand behind the channel's name; None when it is good
 
 
-GOOD = ChannelQuality("good", "")
+GOOD = ChannelQuality("good", None)
 
 
 def channel_quality(
@@ -58,7 +58,7 @@ def channel_quality(
     missing = np.isnan(values)
     lost = missing.all(axis=1)
     if lost.all():
-        return [ChannelQuality("nan", "gives no numbers")] * values.shape[1]
+        return [ChannelQuality("nan", Text("calibration-channel-no-numbers"))] * values.shape[1]
     frames = values[~lost] if lost.any() else values
     gaps = missing.sum(axis=0) - lost.sum()
     thinned = frames[:: max(1, round(sample_rate / NOISE_RATE))]
@@ -67,7 +67,8 @@ def channel_quality(
         whole = [i for i in channels if not gaps[i]]
         for i in channels:
             if gaps[i]:
-                quality[i] = ChannelQuality("nan", f"{gaps[i]} of {len(frames)} samples are not numbers")
+                missed = Text("calibration-channel-nan", count=int(gaps[i]), samples=len(frames))
+                quality[i] = ChannelQuality("nan", missed)
             else:
                 quality[i] = _railed(frames[:, i], full_scale)
         if full_scale is None:
@@ -90,9 +91,9 @@ def _railed(signal: NDArray[np.float64], full_scale: float | None) -> ChannelQua
         return GOOD
     reached = max(abs(float(signal.min())), abs(float(signal.max()))) / full_scale
     if reached > RAILED:
-        return ChannelQuality("railed", f"reaches {percent(reached)} of its range")
+        return ChannelQuality("railed", Text("calibration-channel-railed", percent=Figure(100 * reached)))
     if reached > NEAR_RAILED:
-        return ChannelQuality("near", f"comes near the end of its range ({percent(reached)})")
+        return ChannelQuality("near", Text("calibration-channel-near", percent=Figure(100 * reached)))
     return GOOD
 
 
@@ -112,16 +113,15 @@ def _find_clipped(values: NDArray[np.float64], channels: list[int], quality: lis
             others_moved = some_moved - changed[row] > 0
             share = float((at_end & ~changed[row] & others_moved).mean())
             if CLIPPED_SHARE < share < STILL_SHARE and len(np.unique(signal)) > COARSE:
-                quality[i] = ChannelQuality(
-                    "railed", f"sits at the {end} end of its range for {percent(share)} of the time"
-                )
+                clipped = Text("calibration-channel-clipped", end=end, percent=Figure(100 * share))
+                quality[i] = ChannelQuality("railed", clipped)
 
 
 def _find_flat(values: NDArray[np.float64], block: int, channels: list[int], quality: list[ChannelQuality]) -> None:
     """Mark channels that never change, or are still for most of the time in which other channels of the joint move."""
     signals = values[:, channels]
     for i in np.array(channels)[np.ptp(signals, axis=0) == 0]:
-        quality[i] = ChannelQuality("flat", "never changes: it is dead or not connected")
+        quality[i] = ChannelQuality("flat", Text("calibration-channel-dead"))
     count = len(signals) // block
     if not count:
         return
@@ -132,9 +132,7 @@ def _find_flat(values: NDArray[np.float64], block: int, channels: list[int], qua
         others = moved - ~still[:, column] > 0
         share = float((still[:, column] & others).sum() / max(1, others.sum()))
         if quality[i].condition == "good" and share > STILL_SHARE:
-            quality[i] = ChannelQuality(
-                "flat", f"stands still for {percent(share)} of the time while its neighbours move"
-            )
+            quality[i] = ChannelQuality("flat", Text("calibration-channel-still", percent=Figure(100 * share)))
 
 
 def _find_noisy(values: NDArray[np.float64], channels: list[int], quality: list[ChannelQuality]) -> None:
@@ -148,7 +146,7 @@ def _find_noisy(values: NDArray[np.float64], channels: list[int], quality: list[
     if noisy.all():
         return
     for column in np.flatnonzero(noisy):
-        share = noise[column] / strength[column]
+        share = min(float(noise[column] / strength[column]), 1.0)
         quality[channels[column]] = ChannelQuality(
-            "noisy", f"is mostly noise ({percent(min(share, 1.0))} of its movement)"
+            "noisy", Text("calibration-channel-noisy", percent=Figure(100 * share))
         )

@@ -11,6 +11,7 @@ from app.calibration.fit.omissions import channels_left_out
 from app.calibration.fit.repetitions import Repetition, Stretch
 from app.calibration.gaps import Frames, without_gaps
 from app.layout import ShirtLayout
+from app.texts import Figure, Text
 
 SHORTEST_FREE = 2.0  # s
 SHORTEST_REST = 0.5  # s
@@ -26,7 +27,7 @@ class CleanRecording:
     rest: Frames | None
     repetitions: Sequence[Repetition]
     stretches: Sequence[Stretch]
-    left_out: Mapping[str, str]  # channel name -> why no map reads it
+    left_out: Mapping[str, Text]  # channel name -> why no map reads it
     low: tuple[float, ...]  # (n_channels,) smallest recorded value
     high: tuple[float, ...]  # (n_channels,) largest recorded value
 
@@ -120,24 +121,25 @@ def _check(
     """
     count = len(layout.channels)
     for what, piece in (
-        ("free movement", free),
+        ("free", free),
         ("rest", rest),
         *((repetition.joint, repetition.values) for repetition in repetitions),
     ):
         if piece is not None and (piece.ndim != 2 or piece.shape[1] != count):
-            raise ValueError(f"the recording of {what} does not have the {count} channels of '{layout.name}'")
-    for what, piece, shortest in (("free movement", free, SHORTEST_FREE), ("rest", rest, SHORTEST_REST)):
+            raise ValueError(Text("calibration-recording-channels", what=what, count=count, layout=layout.name))
+    for what, piece, shortest in (("free", free, SHORTEST_FREE), ("rest", rest, SHORTEST_REST)):
         if piece is not None and len(piece) < shortest * sample_rate:
-            raise ValueError(
-                f"the {what} lasts {len(piece) / sample_rate:.2f} s, which is too short for a calibration: "
-                f"record at least {shortest:g} s (10 s of free movement and 3 s of rest are usual)"
-            )
+            lasts = Figure(len(piece) / sample_rate, 2)
+            raise ValueError(Text("calibration-recording-short", what=what, lasts=lasts, least=shortest))
     for names, existing, what in (
         ({repetition.joint for repetition in repetitions}, layout.joint_names, "joint"),
         (set(unused), layout.channel_names, "channel"),
     ):
         if strange := sorted(names - set(existing)):
-            raise ValueError(f"there is no {what} '{strange[0]}' in '{layout.name}': use one of {', '.join(existing)}")
+            known = ", ".join(existing)
+            raise ValueError(
+                Text("calibration-unknown-name", what=what, name=strange[0], layout=layout.name, names=known)
+            )
 
 
 def _value_range(pieces: Sequence[Frames]) -> tuple[tuple[float, ...], tuple[float, ...]]:

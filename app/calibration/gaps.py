@@ -8,7 +8,7 @@ from collections.abc import Sequence
 import numpy as np
 from numpy.typing import NDArray
 
-from app.number_format import percent
+from app.texts import Figure, Text
 
 LONGEST_GAP = 0.2  # s that are bridged
 LARGEST_SHARE = 0.01  # of a channel's samples that may be missing from the data to be fitted
@@ -49,24 +49,24 @@ def fill_forward(values: Frames) -> Frames:
     return np.nan_to_num(np.take_along_axis(values, latest, axis=0))
 
 
-def why_missing(pieces: Sequence[Frames], channel: int, sample_rate: float) -> str:
-    """Return in words why too many samples of a channel are missing from the pieces; an empty string when not.
+def why_missing(pieces: Sequence[Frames], channel: int, sample_rate: float) -> Text | None:
+    """Return in words why too many samples of a channel are missing from the pieces; None when not.
 
     Lost frames are not counted.
     """
     if any(map(len, pieces)) and not any(np.isnan(piece[:, channel]).any() for piece in pieces):
-        return ""  # the usual case, answered before the slower search for lost frames
+        return None  # the usual case, answered before the slower search for lost frames
     missing = [np.isnan(piece[~np.isnan(piece).all(axis=1), channel]) for piece in pieces]
     total = sum(len(samples) for samples in missing)
     share = sum(int(samples.sum()) for samples in missing) / max(total, 1)
     if share == 1.0 or not total:
-        return "gives no numbers"
+        return Text("calibration-channel-no-numbers")
     longest = max((int(lengths.max(initial=0)) for _, lengths in map(_gaps, missing)), default=0)
     if longest > _longest_gap(sample_rate):
-        return f"misses {longest / sample_rate:.2f} s at once, and at most {LONGEST_GAP:g} s are bridged"
+        return Text("calibration-channel-gap", seconds=Figure(longest / sample_rate, 2), most=LONGEST_GAP)
     if share > LARGEST_SHARE:
-        return f"misses {percent(share, 1)} of its samples, and at most {percent(LARGEST_SHARE)} are bridged"
-    return ""
+        return Text("calibration-channel-missing", percent=Figure(100 * share, 1), most=Figure(100 * LARGEST_SHARE))
+    return None
 
 
 def _fill_short_gaps(values: Frames, sample_rate: float) -> Frames:

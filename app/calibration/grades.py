@@ -2,9 +2,12 @@
 
 import math
 from dataclasses import dataclass
+from typing import Literal
 
 from app.calibration.profile import Grade
-from app.number_format import percent
+from app.texts import Figure, Text
+
+Strength = Literal["strong", "fair", "weak"]
 
 # Limits come in pairs: beyond the first a map is `usable` only, beyond the second its movement has to be repeated.
 EVR_LIMITS = (0.80, 0.50)  # the paper reports 80-90 %
@@ -13,7 +16,7 @@ SPREAD_LIMITS = (0.30, 0.60)  # of the repetitions' peaks, upper limits
 PROMPTED_SHARE_LIMITS = (0.30, 0.10)  # of the span
 CROSS_TALK_LIMIT = 0.30  # above it, two gestures are active together
 AGREEMENT_LIMITS = (0.90, 0.70)  # of the repetitions' directions
-UNPROMPTED = "It was not prompted, so which way it counts is not known: prompt it."
+UNPROMPTED = Text("grade-unprompted")
 LARGEST_ANGLE = 30.0  # degrees between free and prompted movement
 ORDER: dict[Grade, int] = {"good": 0, "usable": 1, "repeat": 2}
 
@@ -36,96 +39,86 @@ class JointMeasurements:
     had_rest: bool
 
 
-def signal_word(signal_to_noise: float) -> str:
-    """Return how strong a signal is, in a word."""
+def signal_strength(signal_to_noise: float) -> Strength:
+    """Return how strong a signal is."""
     fair, weak = SIGNAL_TO_NOISE_LIMITS
     return "strong" if signal_to_noise >= fair else "fair" if signal_to_noise >= weak else "weak"
 
 
-def repeats_word(spread: float) -> str:
+def signal_word(signal_to_noise: float) -> Text:
+    """Return how strong a signal is, in a word."""
+    return Text(f"grade-signal-{signal_strength(signal_to_noise)}")
+
+
+def repeats_word(spread: float) -> Text:
     """Return how well a movement repeats, in a word, from the spread of its repetitions' peaks."""
     fair, poor = SPREAD_LIMITS
-    return "well" if spread <= fair else "fairly" if spread <= poor else "poorly"
+    how = "well" if spread <= fair else "fairly" if spread <= poor else "poorly"
+    return Text(f"grade-repeats-{how}")
 
 
-def grade(measured: JointMeasurements) -> tuple[Grade, str]:
+def grade(measured: JointMeasurements) -> tuple[Grade, tuple[Text, ...]]:
     """Return the worst grade over all criteria, and the sentences for them, the worst first."""
-    sentences = [*_of_movement(measured), *_of_prompts(measured), *_of_channels(measured)]
-    sentences.sort(key=lambda finding: -ORDER[finding[0]])
-    worst: Grade = sentences[0][0] if sentences else "good"
-    texts = [text for _, text in sentences if text]
-    if worst == "good":
-        texts.insert(0, _good_sentence(measured))
-    return worst, " ".join(texts)
+    findings = [*_of_movement(measured), *_of_prompts(measured), *_of_channels(measured)]
+    findings.sort(key=lambda finding: -ORDER[finding[0]])
+    worst: Grade = findings[0][0] if findings else "good"
+    sentences = [sentence for _, sentence in findings]
+    return worst, tuple([*_good_sentences(measured), *sentences] if worst == "good" else sentences)
 
 
-def _of_movement(measured: JointMeasurements) -> list[tuple[Grade, str]]:
-    findings: list[tuple[Grade, str]] = []
+def _of_movement(measured: JointMeasurements) -> list[tuple[Grade, Text]]:
+    findings: list[tuple[Grade, Text]] = []
     if not measured.reaches_full:
-        findings.append(("repeat", "The movement does not rise above the noise: repeat it larger and quicker."))
+        findings.append(("repeat", Text("grade-no-movement")))
     elif measured.signal_to_noise < SIGNAL_TO_NOISE_LIMITS[0]:
-        bad = measured.signal_to_noise < SIGNAL_TO_NOISE_LIMITS[1]
-        advice = "rest quite still, then repeat it larger" if bad else "a larger or quicker movement would be safer"
-        findings.append(
-            (
-                "repeat" if bad else "usable",
-                f"It moves only {measured.signal_to_noise:.1f} times above the noise: {advice}.",
-            )
-        )
+        rating = _rating(bad=measured.signal_to_noise < SIGNAL_TO_NOISE_LIMITS[1])
+        findings.append((rating, Text("grade-signal", ratio=Figure(measured.signal_to_noise, 1), rating=rating)))
     if measured.evr < EVR_LIMITS[0]:
-        bad = measured.evr < EVR_LIMITS[1]
-        advice = "repeat the free movement with this joint moved one way only" if bad else "keep to one movement of it"
-        findings.append(
-            (
-                "repeat" if bad else "usable",
-                f"The main movement is clear to {math.floor(100 * measured.evr)} % only, "
-                f"below the usual 80 %: {advice}.",
-            )
-        )
+        rating = _rating(bad=measured.evr < EVR_LIMITS[1])
+        findings.append((rating, Text("grade-clear", percent=math.floor(100 * measured.evr), rating=rating)))
     if not measured.had_rest:
-        findings.append(("good", "No rest was recorded: the noise is that of the stillest half second."))
+        findings.append(("good", Text("grade-no-rest")))
     return findings
 
 
-def _of_prompts(measured: JointMeasurements) -> list[tuple[Grade, str]]:
+def _of_prompts(measured: JointMeasurements) -> list[tuple[Grade, Text]]:
     if measured.agreement is None:
         return [("usable", UNPROMPTED)]
-    findings: list[tuple[Grade, str]] = []
+    findings: list[tuple[Grade, Text]] = []
     if measured.agreement < AGREEMENT_LIMITS[0]:
-        bad = measured.agreement < AGREEMENT_LIMITS[1]
-        finding = f"The prompted movements point both ways ({percent(measured.agreement)} of them one way)"
-        findings.append(("repeat" if bad else "usable", f"{finding}: repeat them in time with the cue."))
+        rating = _rating(bad=measured.agreement < AGREEMENT_LIMITS[1])
+        findings.append((rating, Text("grade-agreement", percent=Figure(100 * measured.agreement))))
     if measured.prompted_share is not None and measured.prompted_share < PROMPTED_SHARE_LIMITS[0]:
-        bad = measured.prompted_share < PROMPTED_SHARE_LIMITS[1]
-        finding = f"The prompted movements go through only {percent(measured.prompted_share)} of the free one's span"
-        findings.append(("repeat" if bad else "usable", f"{finding}: repeat them larger, and in time with the cue."))
+        rating = _rating(bad=measured.prompted_share < PROMPTED_SHARE_LIMITS[1])
+        findings.append((rating, Text("grade-small-prompts", percent=Figure(100 * measured.prompted_share))))
     if measured.repeatability is not None and measured.repeatability > SPREAD_LIMITS[0]:
-        bad = measured.repeatability > SPREAD_LIMITS[1]
-        finding = f"The repetitions differ by {percent(measured.repeatability)}"
-        advice = "repeat them evenly" if bad else "more even ones would drive more evenly"
-        findings.append(("repeat" if bad else "usable", f"{finding}: {advice}."))
+        rating = _rating(bad=measured.repeatability > SPREAD_LIMITS[1])
+        findings.append((rating, Text("grade-uneven", percent=Figure(100 * measured.repeatability), rating=rating)))
     if measured.angle_deg is not None and measured.angle_deg > LARGEST_ANGLE:
-        finding = f"The prompted movement is {measured.angle_deg:.0f} degrees away from the free one"
-        findings.append(("usable", f"{finding}: the prompted direction is used, check it in Try it."))
+        findings.append(("usable", Text("grade-angle", degrees=Figure(measured.angle_deg))))
     if measured.strongest_cross_talk is not None and measured.strongest_cross_talk[1] > CROSS_TALK_LIMIT:
         name, share = measured.strongest_cross_talk
-        finding = f"'{name}' answers too, with {percent(min(share, 9.99))} of its own activation"
-        findings.append(("usable", f"{finding}: move this joint alone, or do not bind both."))
+        findings.append(("usable", Text("grade-cross-talk", joint=name, percent=Figure(100 * min(share, 9.99)))))
     if measured.span_from_prompts:
-        findings.append(("good", "It moved little this way in the free movement: the span is that of the prompts."))
+        findings.append(("good", Text("grade-span-of-prompts")))
     return findings
 
 
-def _of_channels(measured: JointMeasurements) -> list[tuple[Grade, str]]:
+def _of_channels(measured: JointMeasurements) -> list[tuple[Grade, Text]]:
     if measured.channels == 1 and measured.channels_out:
-        return [("usable", "Only one of its sensors is left: check the others on the Shirt page.")]
+        return [("usable", Text("grade-one-sensor"))]
     if measured.channels_out:
-        return [("good", f"Sensors left out: {measured.channels_out} of {measured.channels + measured.channels_out}.")]
+        every = measured.channels + measured.channels_out
+        return [("good", Text("grade-sensors-out", count=measured.channels_out, every=every))]
     return []
 
 
-def _good_sentence(measured: JointMeasurements) -> str:
-    sentence = f"Clear main movement: {percent(measured.evr)}. Signal: {signal_word(measured.signal_to_noise)}."
-    if measured.repeatability is not None:
-        sentence += f" Repeats {repeats_word(measured.repeatability)}."
-    return sentence
+def _rating(*, bad: bool) -> Grade:
+    return "repeat" if bad else "usable"
+
+
+def _good_sentences(measured: JointMeasurements) -> list[Text]:
+    clear = Text("grade-good", percent=Figure(100 * measured.evr), signal=signal_word(measured.signal_to_noise))
+    if measured.repeatability is None:
+        return [clear]
+    return [clear, Text("grade-good-repeats", how=repeats_word(measured.repeatability))]

@@ -12,6 +12,7 @@ from pydantic import Field
 
 from app.layout import MAX_CHANNELS, is_missing
 from app.quantities import Document, Finite, Fraction, Name, Threshold
+from app.texts import Text
 
 MapKind = Literal["pca", "guided", "prior"]
 
@@ -114,11 +115,11 @@ class LinearMap(Document):
         return (*self.rates, *unread, self.short or zeros, self.long or zeros)
 
     @property
-    def source(self) -> str:
+    def source(self) -> Text:
         """What the map is learnt from, in words."""
         if self.people:
-            return "from other people and own movement" if self.repetitions else "from other people"
-        return "from own prompts" if self.repetitions else "standard"
+            return Text("calibration-source-both" if self.repetitions else "calibration-source-people")
+        return Text("calibration-source-prompts" if self.repetitions else "calibration-source-standard")
 
     @property
     def is_better(self) -> bool:

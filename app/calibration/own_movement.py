@@ -2,6 +2,7 @@
 
 from app.calibration.linear_map import LinearMap
 from app.calibration.vocabulary import DriveParameters
+from app.texts import Text
 
 LEAST_IN_PHASE = 0.8  # of the activation of the person's own repetitions: the direction is right
 LEAST_HIT = 0.3  # of the time of the person's own movements with activation: the size is right
@@ -25,13 +26,7 @@ def agrees(prior: LinearMap) -> bool:
     return check is not None and check.in_phase >= LEAST_IN_PHASE and check.hit_rate >= LEAST_HIT
 
 
-def own_movement_refusal(parameters: DriveParameters) -> str:
-    """Return in a sentence what is missing before a real chair; empty when nothing is."""
+def own_movement_refusal(parameters: DriveParameters) -> Text | None:
+    """Return in a sentence what is missing before a real chair; None when nothing is."""
     missing = joints_without_own_movement(parameters)
-    if not missing:
-        return ""
-    which = ", ".join(missing)
-    return (
-        f"Other people taught the movement of {which}, and this person's own has not confirmed it: repeat it once on "
-        f"the Calibrate page, and practise again."
-    )
+    return Text("calibration-not-confirmed", joints=missing) if missing else None

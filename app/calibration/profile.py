@@ -2,13 +2,15 @@
 
 import math
 from collections.abc import Sequence
-from typing import Annotated, Literal, Self
+from typing import Annotated, Any, Literal, Self
 
-from pydantic import Field, model_validator
+from pydantic import BeforeValidator, Field, PlainSerializer, model_validator
 
 from app.calibration.linear_map import LinearMap, MapKind, Numbers
 from app.layout import MAX_CHANNELS, MAX_JOINTS, ShirtLayout, is_missing
 from app.quantities import Document, Finite, Fraction, Hertz, Name, Threshold
+from app.stored_text import StoredText
+from app.texts import Text, in_sequence, to_document
 
 Grade = Literal["good", "usable", "repeat"]
 
@@ -17,6 +19,20 @@ Covariances = Annotated[
     Field(max_length=MAX_CHANNELS),
 ]
 Noise = Annotated[float, Field(strict=True, allow_inf_nan=False, ge=0, le=1e12)]
+
+
+def _sentences(stored: object) -> object:
+    """Return sentences as a tuple: before, a profile had them as one string."""
+    return (stored,) if isinstance(stored, str) else tuple(stored) if isinstance(stored, list) else stored
+
+
+def _stored(sentences: tuple[Text | str, ...]) -> str | list[Any]:
+    """Return sentences as they are stored; those of before as they were, so that the hash of a set stays."""
+    documents = [to_document(sentence) for sentence in sentences]
+    return documents[0] if len(documents) == 1 and isinstance(documents[0], str) else documents
+
+
+Sentences = Annotated[tuple[StoredText, ...], BeforeValidator(_sentences), PlainSerializer(_stored)]
 
 
 class JointMap(Document):
@@ -39,7 +55,7 @@ class JointMap(Document):
     step: Threshold
     filtered_step: Threshold
     grade: Grade
-    reason: str
+    reason: Sentences  # for the grade, the worst first
     map: MapKind = "pca"  # the map that decodes
     pca: LinearMap  # of the main component of free movement
     guided: LinearMap | None = Field(default=None, exclude_if=is_missing)  # learnt from own prompts alone
@@ -51,26 +67,26 @@ class JointMap(Document):
     @model_validator(mode="after")
     def _lengths_agree(self) -> Self:
         if len(self.channels) != len(self.mean):
-            raise ValueError(f"joint '{self.name}': channels and mean must be of one length")
+            raise ValueError(Text("calibration-profile-means", joint=self.name))
         for kind, linear in (("pca", self.pca), ("guided", self.guided), ("prior", self.prior)):
             if linear is None:
                 if self.map == kind:
-                    raise ValueError(f"joint '{self.name}': its map is '{kind}', but it has no {kind} map")
+                    raise ValueError(Text("calibration-profile-map", joint=self.name, map=kind))
             elif any(len(part) != len(self.channels) for part in linear.parts):
-                raise ValueError(f"joint '{self.name}': the {kind} map must have one number per channel in each part")
+                raise ValueError(Text("calibration-profile-parts", joint=self.name, map=kind))
         if not any(self.pca.rates[0]):
-            raise ValueError(f"joint '{self.name}': the pca map reads no channel")
+            raise ValueError(Text("calibration-profile-pca", joint=self.name))
         self._check_covariance()
         return self
 
     def _check_covariance(self) -> None:
         count, covariance = len(self.channels), self.covariance
         if len(covariance) != count or any(len(row) != count for row in covariance):
-            raise ValueError(f"joint '{self.name}': the covariance must have {count} rows of {count} numbers")
+            raise ValueError(Text("calibration-profile-covariance", joint=self.name, count=count))
         if any(covariance[i][j] != covariance[j][i] for i in range(count) for j in range(i)):
-            raise ValueError(f"joint '{self.name}': the covariance must be symmetric")
+            raise ValueError(Text("calibration-profile-symmetric", joint=self.name))
         if any(covariance[i][i] < 0.0 for i in range(count)):
-            raise ValueError(f"joint '{self.name}': the covariance has a variance below 0")
+            raise ValueError(Text("calibration-profile-variance", joint=self.name))
 
     @property
     def span(self) -> float:
@@ -94,9 +110,14 @@ class JointMap(Document):
         return self.grade == "repeat"
 
     @property
-    def advice(self) -> str | None:
+    def description(self) -> Text:
+        """What the measurements say about the movement, and what to do."""
+        return in_sequence(self.reason)
+
+    @property
+    def advice(self) -> Text | None:
         """What the measurements advise to do; None when they are good."""
-        return None if self.grade == "good" else self.reason
+        return None if self.grade == "good" else self.description
 
     @property
     def linear(self) -> LinearMap:
@@ -130,7 +151,7 @@ class CalibrationProfile(Document):
     software: str  # version of bodydrive that made it
     layout: ShirtLayout
     sample_rate: Hertz
-    left_out: dict[str, str]  # channel name -> why it is not in the map
+    left_out: dict[str, StoredText]  # channel name -> why it is not in the map
     low: Numbers  # (n_channels,) smallest value in the calibration
     high: Numbers  # (n_channels,) largest value in the calibration
     # (n_channels,) standard deviation of each channel's noise in the calibration, signal units: a channel that shows
@@ -147,10 +168,10 @@ class CalibrationProfile(Document):
     def _channels_exist(self) -> Self:
         count = len(self.layout.channels)
         if not len(self.low) == len(self.high) == count:
-            raise ValueError(f"low and high must have {count} numbers, one per channel of the layout")
+            raise ValueError(Text("calibration-profile-range", count=count))
         if len(self.noise) != count:
-            raise ValueError(f"noise must have {count} numbers, one per channel of the layout")
+            raise ValueError(Text("calibration-profile-noise", count=count))
         for joint in self.joints:
             if any(not 0 <= index < count for index in joint.channels):
-                raise ValueError(f"joint '{joint.name}' reads a channel that the layout does not have")
+                raise ValueError(Text("calibration-profile-channel", joint=joint.name))
         return self

@@ -5,6 +5,7 @@ from pathlib import Path
 from app.calibration.fit.repetitions import Prompt
 from app.layout import ShirtLayout
 from app.signals.columns import read_columns, require_column, row_place
+from app.texts import Text
 
 
 def read_prompts(path: Path, layout: ShirtLayout, first: float, last: float) -> list[Prompt]:
@@ -20,22 +21,26 @@ def read_prompts(path: Path, layout: ShirtLayout, first: float, last: float) -> 
     table = read_columns(path, text=("joint",), only=("start", "end", "joint"))
     starts, ends = require_column(table, path, "start"), require_column(table, path, "end")
     if "joint" not in table:
-        raise ValueError(f"{path}: there is no column 'joint', add it with the name of the joint that moved")
+        raise ValueError(Text("calibration-prompts-no-joint", file=str(path)))
     prompts = []
     for row, (start, end, joint) in enumerate(zip(starts, ends, map(str, table["joint"]), strict=True)):
         where = row_place(path, row)
         if joint not in layout.joint_names:
             names = ", ".join(layout.joint_names)
-            raise ValueError(f"{where}: there is no joint '{joint}' in '{layout.name}', use one of {names}")
-        if end <= start:
             raise ValueError(
-                f"{where}: the prompt ends at {end:g} s, which is not after its start at {start:g} s, "
-                f"correct or remove it"
+                Text("calibration-prompts-joint", place=where, joint=joint, layout=layout.name, names=names)
             )
+        if end <= start:
+            raise ValueError(Text("calibration-prompts-order", place=where, start=_rounded(start), end=_rounded(end)))
         if end <= first or start >= last:
+            times = {"start": start, "end": end, "first": first, "last": last}
             raise ValueError(
-                f"{where}: the prompt from {start:g} to {end:g} s lies outside the recording, which goes from "
-                f"{first:g} to {last:g} s, correct or remove it"
+                Text("calibration-prompts-outside", place=where, **{name: _rounded(t) for name, t in times.items()})
             )
         prompts.append(Prompt(float(start), float(end), joint))
     return prompts
+
+
+def _rounded(t: float) -> float:
+    """Return a time with six digits: more tell nobody where to look."""
+    return float(f"{t:g}")

@@ -5,6 +5,7 @@ from typing import Literal
 
 from app.cues import Cue
 from app.layout import Joint, ShirtLayout
+from app.texts import Text
 
 READY = 2.0  # s of countdown before each step
 REST = 3.0  # s
@@ -15,12 +16,7 @@ RETURN = 1.5  # s: slower than the movement, so that the fit can tell the two ap
 WAY_BACK = RETURN / MOVE  # duration of the way back over that of the movement, also assumed where no cue gives it
 PAUSE = 1.0  # s at rest between repetitions
 
-# Instructions by body part; `{side}` is "left" or "right".
-MOVEMENTS = {
-    "elbow": "Bend your {side} elbow",
-    "shoulder": "Push your {side} shoulder forward",
-    "wrist": "Bend your {side} wrist",
-}
+MOVED_PARTS = {"elbow", "shoulder", "wrist"}  # of the body, left or right, that have an instruction of their own
 
 
 @dataclass(frozen=True, slots=True)
@@ -30,8 +26,8 @@ class Step:
     id: str
     kind: Literal["rest", "free", "prompt"]
     joint: str | None
-    title: str
-    instruction: str
+    title: Text
+    instruction: Text
     duration: float  # s
     cues: tuple[Cue, ...]
 
@@ -41,12 +37,12 @@ def calibration_script(layout: ShirtLayout) -> tuple[Step, ...]:
     return (_rest(), _free(), *(_prompt(joint) for joint in layout.joints))
 
 
-def movement_instruction(joint: Joint) -> str:
+def movement_instruction(joint: Joint) -> Text:
     """Return the instruction to the patient to move this joint."""
     side, _, part = joint.name.partition("_")
-    if side in {"left", "right"} and part in MOVEMENTS:
-        return MOVEMENTS[part].format(side=side)
-    return f"Move: {joint.label}"
+    if side in {"left", "right"} and part in MOVED_PARTS:
+        return Text(f"calibration-move-{part}", side=side)
+    return Text("calibration-move", joint=joint.label)
 
 
 def _rest() -> Step:
@@ -58,8 +54,8 @@ def _rest() -> Step:
         id="rest",
         kind="rest",
         joint=None,
-        title="Rest",
-        instruction="Sit comfortably and let your arms hang. Do not move for three seconds.",
+        title=Text("calibration-rest"),
+        instruction=Text("calibration-rest-instruction"),
         duration=READY + REST,
         cues=cues,
     )
@@ -74,8 +70,8 @@ def _free() -> Step:
         id="free",
         kind="free",
         joint=None,
-        title="Move freely",
-        instruction="Move your arms and shoulders any way you like for ten seconds, as far as is comfortable.",
+        title=Text("calibration-free"),
+        instruction=Text("calibration-free-instruction"),
         duration=READY + FREE,
         cues=cues,
     )
@@ -107,7 +103,7 @@ def _prompt(joint: Joint) -> Step:
         kind="prompt",
         joint=joint.name,
         title=movement_instruction(joint),
-        instruction="Follow the beat: move when the cue says so, then come back slowly and rest. Three times.",
+        instruction=Text("calibration-prompt-instruction"),
         duration=cues[-1].end,
         cues=tuple(cues),
     )

@@ -8,10 +8,10 @@ from pydantic import Field, model_validator
 
 from app.calibration.profile import CalibrationProfile
 from app.messages import MAX_GESTURES
-from app.number_format import percent
 from app.quantities import Cutoff, Document, Gain, Name, Threshold
 from app.signals.smoothing import STANDARD_CUTOFF
 from app.speed_limits import Speeds
+from app.texts import Figure, Text
 
 Control = Literal["u1+", "u1-", "u2+", "u2-", "stop"]
 Feature = Literal["rate", "displacement"]
@@ -40,10 +40,8 @@ class Gesture(Document):
     @model_validator(mode="after")
     def _full_is_above_dead_zone(self) -> Self:
         if self.full < self.dead_zone + 0.01:
-            raise ValueError(
-                f"gesture '{self.name}': “Full at” ({percent(self.full)}) must be at least 1 % above “Counts from” "
-                f"({percent(self.dead_zone)}): raise it"
-            )
+            full, dead_zone = Figure(100 * self.full), Figure(100 * self.dead_zone)
+            raise ValueError(Text("calibration-full-too-low", gesture=self.name, full=full, least=dead_zone))
         return self
 
 
@@ -80,19 +78,17 @@ class DriveParameters(Document):
         joints = [joint.name for joint in self.profile.joints]
         for gesture in self.gestures:
             if names.count(gesture.name) > 1:
-                raise ValueError(f"gesture '{gesture.name}' stands there twice")
+                raise ValueError(Text("calibration-gesture-twice", gesture=gesture.name))
             if gesture.joint not in joints:
+                known = ", ".join(joints)
                 raise ValueError(
-                    f"gesture '{gesture.name}' reads joint '{gesture.joint}', which the calibration does not "
-                    f"have: use one of {', '.join(joints)}"
+                    Text("calibration-gesture-joint", gesture=gesture.name, joint=gesture.joint, joints=known)
                 )
         for binding in self.bindings:
             for name in binding.gestures:
                 if name not in names:
-                    raise ValueError(
-                        f"{binding.control} is bound to gesture '{name}', which does not exist: "
-                        f"use one of {', '.join(names)}"
-                    )
+                    known = ", ".join(names)
+                    raise ValueError(Text("calibration-binding", control=binding.control, gesture=name, gestures=known))
         return self
 
     @property

@@ -317,8 +317,8 @@ def device_refusal(loop: ControlLoop) -> str:
     if setup.mistrust:
         return setup.mistrust
     unconfirmed = own_movement_refusal(parameters)
-    if unconfirmed:
-        return unconfirmed
+    if unconfirmed is not None:
+        return str(unconfirmed)
     if loop.run is None:
         return "A real chair drives only while it is recorded: begin a drive first."
     if chair.silent:

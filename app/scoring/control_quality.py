@@ -16,6 +16,7 @@ from app.pipeline.person_brakes import STOP_ACTIVATION
 from app.quantities import Count, Document, Fraction, Name
 from app.scoring.command_counts import onsets
 from app.scoring.joint_quality import Amount, Degrees, JointQuality, joint_quality
+from app.texts import Text
 
 MOST_BAD = 0.1  # share of the time; a channel that was bad for longer is left out of its joint's figures
 SILENT_SHARE = 0.5  # of a bad channel's frames; with more of them constant or missing, the channel is called silent
@@ -79,9 +80,9 @@ def control_quality(
     """
     profile = parameters.profile
     if values.shape != (len(armed), len(profile.layout.channels)) or not armed.any():
-        raise ValueError("the recording holds no frames of this shirt while motion was permitted: drive a trial first")
+        raise ValueError(Text("measure-quality-no-frames"))
     if activation.shape != (len(armed), len(parameters.gestures)):
-        raise ValueError("the recording holds other gestures than its parameters: it cannot be judged, drive again")
+        raise ValueError(Text("measure-quality-gestures"))
     bound = parameters.bound_gestures
     counts = [onsets(activation[armed, gesture]) for gesture in bound]
     bound_gestures = [parameters.gestures[gesture] for gesture in bound]

@@ -8,7 +8,6 @@ import numpy as np
 from numpy.typing import NDArray
 
 from app.calibration.grades import EVR_LIMITS, LARGEST_ANGLE
-from app.number_format import amount, percent
 from app.scoring.control_quality import BadChannel
 from app.scoring.trend import mann_kendall
 from app.scoring.trial_assessment import (
@@ -22,6 +21,7 @@ from app.scoring.trial_assessment import (
     median_of,
     trials_of_joint,
 )
+from app.texts import Figure, Text, Value, in_sequence
 
 # Share of the dead-zone: noise of a third of the dead-zone activates a gesture by chance about once a minute.
 NOISE_SHARE = 1.0 / 3.0
@@ -46,10 +46,10 @@ ORDER: tuple[Kind, ...] = ("sensor", "map", "noise", "span")
 
 
 class ControlWarnings(NamedTuple):
-    """All warnings, and a note on what needs more trials; empty when there are enough."""
+    """All warnings, and a note on what needs more trials; None when there are enough."""
 
     warnings: list[ControlWarning]
-    note: str
+    note: Text | None
 
 
 def control_warnings(trials: Sequence[TrialAssessment], map_version: int | None = None) -> ControlWarnings:
@@ -64,7 +64,7 @@ def control_warnings(trials: Sequence[TrialAssessment], map_version: int | None 
         made from trials with this map only.
     """
     if not trials:
-        return ControlWarnings([], "")
+        return ControlWarnings([], None)
     newest = trials[-1].map_version if map_version is None else map_version
     of_map = [trial for trial in trials if trial.map_version == newest]
     warnings = sensor_warnings(of_map[-1]) if of_map else []
@@ -76,17 +76,19 @@ def control_warnings(trials: Sequence[TrialAssessment], map_version: int | None 
     return ControlWarnings(sorted(warnings, key=lambda warning: ORDER.index(warning.kind)), _note(trials))
 
 
-def _note(trials: Sequence[TrialAssessment]) -> str:
-    """Return in a sentence how many more trials the trends need; empty when there are enough."""
+def _note(trials: Sequence[TrialAssessment]) -> Text | None:
+    """Return in a sentence how many more trials the trends need; None when there are enough."""
     same_task = [trial for trial in trials if trial.task == trials[-1].task]
     sessions = len({trial.session for trial in same_task})
     in_last_session = sum(trial.session == trials[-1].session for trial in same_task)
     if sessions >= LEAST_SESSIONS or in_last_session >= LEAST_TRIALS:
-        return ""
-    return (
-        f"Few trials: whether movements get smaller is told from {LEAST_TRIALS} trials of one task in one session, or "
-        f"from {LEAST_SESSIONS} sessions on; so far there {'is' if in_last_session == 1 else 'are'} {in_last_session} "
-        f"in the last session, and {amount(sessions, 'session')}."
+        return None
+    return Text(
+        "warning-few-trials",
+        least_trials=LEAST_TRIALS,
+        least_sessions=LEAST_SESSIONS,
+        trials=in_last_session,
+        sessions=sessions,
     )
 
 
@@ -99,28 +101,30 @@ def sensor_warnings(trial: TrialAssessment) -> list[ControlWarning]:
     if len(outside) == 1:
         warnings.append(_sensor_warning(trial, outside[0], labels[outside[0].joint]))
     elif outside:
-        where = ", ".join(dict.fromkeys(labels[channel.joint] for channel in outside))
+        joints = list(dict.fromkeys(labels[channel.joint] for channel in outside))
         warnings.append(
             ControlWarning(
                 kind="map",
-                joint=where,
-                message=f"The shirt does not sit as it was calibrated: {len(outside)} sensors ({where}) lay "
-                f"outside their calibrated range in trial {trial.number}, and what these joints did had no effect.",
-                advice="Set the shirt straight. When it was put on again, fit the calibration to it in Calibrate.",
+                joint=", ".join(joints),
+                message=Text("warning-shirt", count=len(outside), joints=joints, trial=trial.number),
+                advice=Text("warning-shirt-advice"),
             )
         )
     return warnings
 
 
 def _sensor_warning(trial: TrialAssessment, channel: BadChannel, label: str) -> ControlWarning:
-    fault = "gave no signal" if channel.silent else "lay outside its calibrated range"
+    values: dict[str, Value] = {
+        "joint": label,
+        "sensor": channel.name,
+        "percent": Figure(100 * channel.share),
+        "trial": trial.number,
+    }
     return ControlWarning(
         kind="sensor",
         joint=label,
-        message=f"{label}: sensor {channel.name} {fault} for {percent(channel.share)} of trial {trial.number}; "
-        "meanwhile what this joint did had no effect.",
-        advice="Look at it on the Shirt page, set the shirt straight and push the plug in fully. If it stays so, mark "
-        "the sensor as unused and calibrate again: the sensor is then left out.",
+        message=Text("warning-sensor-silent" if channel.silent else "warning-sensor-range", **values),
+        advice=Text("warning-sensor-advice"),
     )
 
 
@@ -130,28 +134,22 @@ def fit_warnings(rows: Sequence[JointInTrial]) -> list[ControlWarning]:
     if len(rows) < FEWEST:
         return []
     last_trials, label = rows[-min(EDGE, len(rows)) :], rows[-1].joint.label
-    guided = (
-        " Another calibration than the standard one drives this joint: look whether it is still right."
-        if rows[-1].joint.guided
-        else ""
-    )
+    guided = [Text("warning-other-map")] if rows[-1].joint.guided else []
     angle, evr = median_of(last_trials, "map_angle_deg"), median_of(last_trials, "evr")
     turn = _turn(rows)
     if turn > LARGEST_TURN:
-        finding = f"{label}: the movement has turned by {turn:.0f}° against the first trials with this calibration."
-        advice = "Was the shirt put on again, or has it slipped? Set it straight, or calibrate again."
+        finding = Text("warning-turned", joint=label, degrees=Figure(turn))
+        advice = Text("warning-turned-advice")
     elif angle > LARGEST_ANGLE and evr >= EVR_LIMITS[0]:
-        finding = (
-            f"{label}: the movement lies {angle:.0f}° off the calibration, and "
-            f"{percent(median_of(last_trials, 'null_space_share'))} of it never reaches the control."
-        )
-        advice = "Repeat this joint's free movement and prompts as the person moves it while driving."
+        lost = Figure(100 * median_of(last_trials, "null_space_share"))
+        finding = Text("warning-off-map", joint=label, degrees=Figure(angle), percent=lost)
+        advice = Text("warning-off-map-advice")
     elif evr < EVR_LIMITS[0] and evr < median_of(rows[:EDGE], "evr") - EVR_FALL:
-        finding = f"{label}: the main movement is clear to only {percent(evr)}, less than in the first trials."
-        advice = "Ask the person to move this joint one way only; if that does not help, calibrate again."
+        finding = Text("warning-unclear", joint=label, percent=Figure(100 * evr))
+        advice = Text("warning-unclear-advice")
     else:
         return []
-    return [ControlWarning(kind="map", joint=label, message=finding, advice=advice + guided)]
+    return [ControlWarning(kind="map", joint=label, message=finding, advice=in_sequence([advice, *guided]))]
 
 
 def _turn(rows: Sequence[JointInTrial]) -> float:
@@ -190,11 +188,14 @@ def noise_warnings(of_map: Sequence[JointInTrial], every: Sequence[JointInTrial]
                 ControlWarning(
                     kind="noise",
                     joint=label,
-                    message=f"{label}: at rest it trembles with {percent(now)} / s of the full movement, and it counts "
-                    f"from {percent(dead_zone)} / s, so that it may act by itself: let it count from "
-                    f"{percent(4 * now)} / s.",
-                    advice="Look for tremor, a tired patient or a loose plug. Then raise its “Counts from” in "
-                    "Controls, or lower “Tremor damping”: lower damps more.",
+                    message=Text(
+                        "warning-trembles",
+                        joint=label,
+                        percent=Figure(100 * now),
+                        counts_from=Figure(100 * dead_zone),
+                        better_from=Figure(400 * now),
+                    ),
+                    advice=Text("warning-trembles-advice"),
                 )
             ]
     rows = [row for row in every if row.joint.rest_rate is not None]
@@ -209,9 +210,8 @@ def noise_warnings(of_map: Sequence[JointInTrial], every: Sequence[JointInTrial]
         ControlWarning(
             kind="noise",
             joint=label,
-            message=f"{label}: the noise at rest has grown to {last / first:.1f} times that of the first trials.",
-            advice="Look for tremor, a tired patient or a loose plug on the Shirt page. When it stays, repeat the step "
-            "Rest of the calibration, so that the movement counts only above the noise.",
+            message=Text("warning-noise", joint=label, ratio=Figure(last / first, 1)),
+            advice=Text("warning-noise-advice"),
         )
     ]
 
@@ -233,17 +233,14 @@ def span_warnings(every: Sequence[JointInTrial]) -> list[ControlWarning]:
     has_fallen = len(sessions) >= LEAST_SESSIONS and sessions[-1] < (1 - SPAN_FALL) * sessions[0]
     if has_fallen and _has_trend(sessions, "falls"):
         fall = 1 - sessions[-1] / sessions[0]
-        finding = f"{label}: the movement has become {percent(fall)} smaller over {len(sessions)} sessions."
-        advice = (
-            "Ask about strength and pain. When it stays, calibrate again, so that “Full at” is what the person can "
-            "reach now, and note the range of motion in the record."
-        )
+        finding = Text("warning-smaller", joint=label, percent=Figure(100 * fall), sessions=len(sessions))
+        advice = Text("warning-smaller-advice")
     elif len(in_last_session) >= LEAST_TRIALS and _has_trend(in_last_session, "falls"):
         first, last = float(np.median(in_last_session[:EDGE])), float(np.median(in_last_session[-EDGE:]))
         if last >= (1 - SPAN_FALL_WITHIN) * first:
             return []
-        finding = f"{label}: the movement has become {percent(1 - last / first)} smaller within this session."
-        advice = "The person may be tired: let them rest, or end the session. Do not calibrate on a tired movement."
+        finding = Text("warning-tired", joint=label, percent=Figure(100 * (1 - last / first)))
+        advice = Text("warning-tired-advice")
     else:
         return []
     return [ControlWarning(kind="span", joint=label, message=finding, advice=advice)]

@@ -4,6 +4,7 @@ A tick's state decides over the time since the tick before.
 """
 
 from collections.abc import Mapping
+from functools import reduce
 from itertools import pairwise
 from typing import Final, Literal, NamedTuple
 
@@ -12,6 +13,7 @@ from numpy.typing import ArrayLike, NDArray
 
 from app.faults import PEOPLE_STOPS, Fault, State
 from app.scoring.measures import MeasureValues
+from app.texts import Figure, Text
 
 Numbers = NDArray[np.float64]
 Kind = Literal["machine", "pause", "person"]
@@ -123,7 +125,7 @@ def interruption_measures(all_interruptions: list[Interruption], time: float, *,
 
 
 MACHINE_KINDS: Final = (("halted", "halts", "halt_time"), ("paused", "pauses", "pause_time"))
-PERSON_KIND: Final = ("stopped by a person", "person_stops", "person_stop_time")
+PERSON_KIND: Final = ("stopped", "person_stops", "person_stop_time")
 
 
 def interruptions_of(measures: MeasureValues | None) -> MeasureValues:
@@ -134,22 +136,22 @@ def interruptions_of(measures: MeasureValues | None) -> MeasureValues:
     return {name: measures.get(name) for kind in kinds for name in kind}
 
 
-def interruption_text(measures: MeasureValues | None) -> str:
-    """Return the interruptions of a trial as text, such as "halted 3 times, 14 s"; empty when there was none."""
-    return _sentence(measures or {}, *MACHINE_KINDS, PERSON_KIND)
+def interruption_text(measures: MeasureValues | None) -> Text | None:
+    """Return the interruptions of a trial as text, such as "halted 3 times, 14 s"; None when there was none."""
+    return _listed(measures or {}, *MACHINE_KINDS, PERSON_KIND)
 
 
-def reason_to_ask(measures: MeasureValues) -> str | None:
+def reason_to_ask(measures: MeasureValues) -> Text | None:
     """Return why a trial counts only when a person confirms it, None when it counts."""
     if not measures.get("interrupted"):
         return None
-    return f"the machine interrupted it ({_sentence(measures, *MACHINE_KINDS)}), and nobody has said yet that it counts"
+    return Text("timeline-asked", interruptions=_listed(measures, *MACHINE_KINDS) or "")
 
 
-def _sentence(measures: MeasureValues, *kinds: tuple[str, str, str]) -> str:
-    parts = []
-    for verb, count, duration in kinds:
-        if times := int(measures.get(count) or 0):
-            how_often = "once" if times == 1 else f"{times} times"
-            parts.append(f"{verb} {how_often}, {measures.get(duration) or 0.0:.0f} s")
-    return "; ".join(parts)
+def _listed(measures: MeasureValues, *kinds: tuple[str, str, str]) -> Text | None:
+    parts = [
+        Text(f"timeline-{what}", times=times, seconds=Figure(measures.get(duration) or 0.0))
+        for what, count, duration in kinds
+        if (times := int(measures.get(count) or 0))
+    ]
+    return reduce(lambda before, after: Text("timeline-several", before=before, after=after), parts) if parts else None

@@ -3,11 +3,10 @@
 import math
 from collections.abc import Iterable, Sequence
 from itertools import groupby, pairwise
-from typing import Any, NamedTuple
+from typing import Any, Literal, NamedTuple
 
 import numpy as np
 
-from app.number_format import amount, with_minus
 from app.scoring.learning_fit import (
     MIN_TRIALS,
     MIN_TRIALS_FOR_CONSTANT,
@@ -16,12 +15,13 @@ from app.scoring.learning_fit import (
     Numbers,
     fit_learning_curve,
 )
-from app.scoring.measures import TRIAL_MEASURES, VERDICT_WORDS, Measure
+from app.scoring.measures import TRIAL_MEASURES, Measure
 from app.scoring.trend import theil_sen
 from app.scoring.verdict.change_over_sessions import CourseChange, course_change
 from app.scoring.verdict.leading_measures import leading_of_task
 from app.scoring.verdict.measure_comparison import Row, Rows
 from app.scoring.verdict.measure_verdict import ClinicSpreads
+from app.texts import Figure, Text, Value, in_sequence
 
 LARGEST = 1e100  # larger values are left out: sums of squares would overflow
 EDGE = 3  # trials at either end whose medians are compared
@@ -31,7 +31,7 @@ CONFIDENCE = 0.99  # six intervals of three measures stand side by side: togethe
 MIN_SESSIONS = 4  # with fewer, the interval of the mean change between sessions is too wide
 
 CurveDocument = dict[str, Any]
-"""A learning curve with its sentences, as `learning_curves` describes it, ready for JSON."""
+"""A learning curve with its sentences, as `learning_curves` describes it."""
 
 
 class MeanChange(NamedTuple):
@@ -46,6 +46,11 @@ class MeanChange(NamedTuple):
     def is_noise(self) -> bool:
         """Return whether the interval contains 0."""
         return self.low <= 0 <= self.high
+
+    @property
+    def how(self) -> Literal["noise", "fell", "rose"]:
+        """What became of the measure."""
+        return "noise" if self.is_noise else "fell" if self.mean < 0 else "rose"
 
 
 class Retention(NamedTuple):
@@ -89,7 +94,7 @@ def learning_curves(
     *,
     every_model: bool = False,
 ) -> dict[str, CurveDocument]:
-    """Return, for each measure that the trials have, sentences and the fitted curve, ready for JSON.
+    """Return, for each measure that the trials have, sentences and the fitted curve.
 
     Parameters
     ----------
@@ -106,7 +111,7 @@ def learning_curves(
 
     Returns
     -------
-    {measure: {"text": str, "sessions": str or None, "details": [str], "fit": None or {"n": [...], "value": [...],
+    {measure: {"text": Text, "sessions": Text or None, "details": [Text], "fit": None or {"n": [...], "value": [...],
     "low": [...], "high": [...]}}}; the band is the 95 % band of the curve, and there is no fit where a level line is
     best. `text` and `sessions` are plain sentences, `sessions` on the changes within and between sessions of a measure
     that leads in the task; `details` are the statistics behind them. With `every_model` also "form" ("exponential",
@@ -162,82 +167,95 @@ def _other_curves(learning: LearningCurve) -> list[CurveDocument]:
     ]
 
 
-def _too_few_sentence(count: int) -> str:
+def _too_few_sentence(count: int) -> Text:
     """Say that there are not trials enough for a curve."""
-    return f"Not enough trials for a learning curve: {count} of at least {MIN_TRIALS} that reached the goal."
+    return Text("learning-few", count=count, least=MIN_TRIALS)
 
 
-def _change_sentences(name: str, learning: LearningCurve, change: CourseChange, sessions: int) -> str:
+def _change_sentences(name: str, learning: LearningCurve, change: CourseChange, sessions: int) -> Text:
     """Say what became of a measure, by how much, and where it levels off.
 
     `sessions` is the number of sessions that the trials were driven in; 0 where that is not known.
     """
     measure, count = TRIAL_MEASURES[name], len(learning.n)
-    over = f"over {count} trials" + (f" in {amount(sessions, 'session')}" if sessions else "")
-    subject = f"{measure.as_subject[0].lower()}{measure.as_subject[1:]}"
-    if change.word not in ("better", "worse"):
-        begin = {"within": f"Within noise {over}", "too few": f"Too few sessions to tell a change from noise, {over}"}
-        head = begin.get(change.word, over.capitalize())
-        sentence = f"{head}: {subject} was about {measure.level(float(np.median(learning.values)))}."
+    word = "few" if change.word == "too few" else change.word
+    head = Text(f"learning-head-{word}", trials=count, sessions=sessions)
+    if _is_change(change):
+        sentences = [_change(measure, learning, change, head), *_shape(measure, learning, change)]
     else:
-        head = f"{VERDICT_WORDS[change.word].capitalize()} {over}"
-        sentence = f"{head}: {subject} {_change(measure, learning, change)}.{_shape(measure, learning, change)}"
-    caution = f" {count} trials are few: this may yet change." if count < MIN_TRIALS_FOR_CONSTANT else ""
-    return f"{sentence}{caution}"
+        level = measure.level(float(np.median(learning.values)))
+        sentences = [Text("learning-level", head=head, subject=measure.as_subject, level=level)]
+    if count < MIN_TRIALS_FOR_CONSTANT:
+        sentences.append(Text("learning-caution", count=count))
+    return in_sequence(sentences)
 
 
-def session_sentences(name: str, kept_change: Retention) -> str:
+def session_sentences(name: str, kept_change: Retention) -> Text:
     """Say what changed within a session, and how much of it was kept until the next one."""
     measure, (within, between) = TRIAL_MEASURES[name], kept_change
     if within.is_noise and between.is_noise:
-        return (
-            "Neither the change within a session nor the one over the pause to the next is more than noise "
-            f"(on average of {within.sessions} sessions)."
-        )
-    sentence = (
-        f"Within a session it {_step(measure, within)}, over the pause to the next one it {_step(measure, between)} "
-        f"(on average of {within.sessions} sessions)"
-    )
+        return Text("learning-sessions-noise", sessions=within.sessions)
+    steps: dict[str, Value] = {
+        "within": Text("learning-within", how=within.how, amount=measure.level(abs(within.mean))),
+        "between": Text("learning-between", how=between.how, amount=measure.level(abs(between.mean))),
+        "sessions": within.sessions,
+    }
     if within.is_noise or not _is_better(name, within.mean):
-        return f"{sentence}."
+        return Text("learning-sessions", **steps)
     if between.is_noise:
-        return f"{sentence}: what was gained was kept, as far as can be told."
+        return Text("learning-sessions-perhaps-kept", **steps)
     if _is_better(name, between.mean):
-        return f"{sentence}: what was gained was kept."
+        return Text("learning-sessions-kept", **steps)
     share = 1 - abs(between.mean / within.mean)
-    share_kept = f"about {100 * share:.0f} % of what was gained" if share >= 0.01 else "nothing of what was gained"
-    return f"{sentence}: {share_kept} was kept."
+    if share < 0.01:
+        return Text("learning-sessions-lost", **steps)
+    return Text("learning-sessions-part-kept", percent=Figure(100 * share), **steps)
 
 
-def _change_statistics(name: str, learning: LearningCurve, change: CourseChange) -> str:
+def _change_statistics(name: str, learning: LearningCurve, change: CourseChange) -> Text:
     """Return the statistics of the change and of the curve of a measure."""
-    measure, count = TRIAL_MEASURES[name], len(learning.n)
-    first, last = _ends(learning)
+    measure, (first, last) = TRIAL_MEASURES[name], _ends(learning)
     # A few unusual trials at an end may contradict the change; the sentence must not.
     went = {(True, True): "fell", (False, False): "rose"}.get((change.falls, last < first), "went")
-    sentence = (
-        f"{measure.as_subject} {went if _is_change(change) else 'went'} from {measure.level(first)} to "
-        f"{measure.level(last)} (medians of the first and the last {EDGE} of {count} trials)."
+    medians = Text(
+        "learning-medians",
+        subject=measure.as_subject,
+        how=went if _is_change(change) else "went",
+        first=measure.level(first),
+        last=measure.level(last),
+        edge=EDGE,
+        trials=len(learning.n),
     )
-    if change.p_value is not None:
-        p = "p < 0.001" if change.p_value < 0.001 else f"p = {change.p_value:.2g}"
-        sentence += (
-            " The last third of the sessions against the first, or the newest against those before, beside this "
-            f"person's own noise: {p}; a change has p < {change.level:.2g}."
-        )
-    return f"{sentence}{_slope(measure, learning, change)} {_form(measure, learning)}"
+    return in_sequence(
+        [medians, *_test(change), *_slope(measure, learning, change), _form(measure, learning)],
+    )
+
+
+def _test(change: CourseChange) -> list[Text]:
+    """Say how the change was tested; nothing where it was not."""
+    if change.p_value is None:
+        return []
+    level = _two_digits(change.level)
+    if change.p_value < 0.001:
+        return [Text("learning-p-small", level=level)]
+    return [Text("learning-p", p=_two_digits(change.p_value), level=level)]
+
+
+def _two_digits(value: float) -> float:
+    return float(f"{value:.2g}")
 
 
 def _is_change(change: CourseChange) -> bool:
     return change.word in ("better", "worse")
 
 
-def session_statistics(name: str, kept_change: Retention) -> str:
+def session_statistics(name: str, kept_change: Retention) -> Text:
     """Return the changes within and between sessions with their intervals."""
-    measure = TRIAL_MEASURES[name]
-    return (
-        f"In the mean of {kept_change.within.sessions} sessions it {_interval(measure, kept_change.within)} within a "
-        f"session, and {_interval(measure, kept_change.between)} from its last trials to the first of the next."
+    measure, (within, between) = TRIAL_MEASURES[name], kept_change
+    return Text(
+        "learning-statistics",
+        within=Text("learning-statistics-within", sessions=within.sessions, **_interval(measure, within)),
+        between=Text("learning-statistics-between", **_interval(measure, between)),
     )
 
 
@@ -251,64 +269,70 @@ def _is_better(name: str, change: float) -> bool:
     return better is not None and (change < 0) == (better == "low")
 
 
-def _change(measure: Measure, learning: LearningCurve, change: CourseChange) -> str:
+def _change(measure: Measure, learning: LearningCurve, change: CourseChange, head: Text) -> Text:
     """Say by how much a measure fell or rose; not where a few unusual trials at an end contradict it."""
     first, last = _ends(learning)
-    went = "fell" if change.falls else "rose"
+    how = "fell" if change.falls else "rose"
     if first == last or (last < first) != change.falls:
-        return went
-    amount = measure.level(abs(last - first))
-    return f"{went} by about {amount}, from {measure.figure(first)} to {measure.level(last)}"
+        return Text("learning-change", head=head, subject=measure.as_subject, how=how)
+    return Text(
+        "learning-change-by",
+        head=head,
+        subject=measure.as_subject,
+        how=how,
+        amount=measure.level(abs(last - first)),
+        first=measure.figure(first),
+        last=measure.level(last),
+    )
 
 
-def _shape(measure: Measure, learning: LearningCurve, change: CourseChange) -> str:
+def _shape(measure: Measure, learning: LearningCurve, change: CourseChange) -> list[Text]:
     """Say where a measure levels off; nothing where a level line is best, or the curve contradicts the change."""
     curve = learning.curve
     if curve.form == "level" or (curve.b > 0) != change.falls:
-        return ""
+        return []
     if curve.form == "power":
-        return " It goes on changing, in ever smaller steps."
+        return [Text("learning-goes-on")]
     if not learning.levels_off:
-        return " It has not levelled off yet."
+        return [Text("learning-not-level-yet")]
     level = max(curve.a, 0.0) if np.all(learning.values >= 0) else curve.a
-    return f" It levels off at about {measure.level(level)}."
+    return [Text("learning-levels-off", level=measure.level(level))]
 
 
-def _step(measure: Measure, change: MeanChange) -> str:
-    if change.is_noise:
-        return "stayed within noise"
-    return f"{'fell' if change.mean < 0 else 'rose'} by about {measure.level(abs(change.mean))}"
+def _interval(measure: Measure, change: MeanChange) -> dict[str, Value]:
+    """Return a mean change and its interval; without their signs where the sentence says that it fell or rose."""
+    mean, low, high = change.mean, change.low, change.high
+    if not change.is_noise:
+        mean, (low, high) = abs(mean), sorted((abs(low), abs(high)))
+    return {
+        "how": change.how,
+        "change": measure.level(mean),
+        "low": measure.figure(low),
+        "high": measure.figure(high),
+    }
 
 
-def _interval(measure: Measure, change: MeanChange) -> str:
-    low, high = (measure.figure(end) for end in (change.low, change.high))
-    if change.is_noise:
-        return f"changed by {measure.level(change.mean)} (within noise; 99 %: {low} to {high})"
-    low, high = (measure.figure(end) for end in sorted((abs(change.low), abs(change.high))))
-    return f"{'fell' if change.mean < 0 else 'rose'} by {measure.level(abs(change.mean))} (99 %: {low} to {high})"
-
-
-def _slope(measure: Measure, learning: LearningCurve, change: CourseChange) -> str:
+def _slope(measure: Measure, learning: LearningCurve, change: CourseChange) -> list[Text]:
     """Say how steep the course is; nothing where there is no change, or the slope contradicts it."""
     slope = theil_sen(learning.n.tolist(), learning.values.tolist())
     if not _is_change(change) or slope == 0 or (slope < 0) != change.falls:
-        return ""
-    step = with_minus(f"{abs(slope) * measure.factor:.2g}")
-    return f" From trial to trial it {'falls' if change.falls else 'rises'} by {measure.with_unit(step)} in the median."
+        return []
+    step = measure.with_unit(_two_digits(abs(slope) * measure.factor))
+    return [Text("learning-slope", how="falls" if change.falls else "rises", step=step)]
 
 
-def _form(measure: Measure, learning: LearningCurve) -> str:
+def _form(measure: Measure, learning: LearningCurve) -> Text:
     curve = learning.curve
     if curve.form == "level":
-        return "No curve describes it better than a level line."
+        return Text("learning-form-level")
     if curve.form == "power":
-        return "A power law describes it better than an exponential: large steps at first, then ever smaller ones."
+        return Text("learning-form-power")
     if not learning.levels_off:
-        return "An exponential describes it best, and it has not levelled off within these trials."
-    levels = f"An exponential describes it best, levelling off at {measure.level(curve.a)}"
+        return Text("learning-form-open")
+    level = measure.level(curve.a)
     if learning.constant is not None:
-        tau, low, high = learning.constant
-        return f"{levels}, with a learning constant of {tau:.1f} trials (95 %: {low:.1f} to {high:.1f})."
+        tau, low, high = (Figure(trials, 1) for trials in learning.constant)
+        return Text("learning-form-constant", level=level, trials=tau, low=low, high=high)
     if len(learning.n) < MIN_TRIALS_FOR_CONSTANT:
-        return f"{levels}; how fast is told from {MIN_TRIALS_FOR_CONSTANT} trials on."
-    return f"{levels} within the first trials."
+        return Text("learning-form-few", level=level, least=MIN_TRIALS_FOR_CONSTANT)
+    return Text("learning-form-fast", level=level)

@@ -7,7 +7,7 @@ new measure is one entry here and its computation. The order is that of pages, r
 from dataclasses import dataclass
 from typing import Any, Final, Literal
 
-from app.number_format import with_minus
+from app.texts import Figure, Text, Value
 
 Scale = Literal["log", "root", "count", "plain"]
 Better = Literal["low", "high"]
@@ -21,43 +21,46 @@ MeasureValues = dict[str, Any]
 class Measure:
     """One measure. Stored values are in the unit `ucum`; people read them multiplied by `factor`, in `unit`."""
 
-    name: str  # on pages and reports
+    name: Text  # on pages and reports
     unit: str  # "" for a plain number
     ucum: str  # Unified Code for Units of Measure, as FHIR has it
     digits: int  # behind the point
     scale: Scale = "plain"  # on which its noise does not depend on its level
     better: Better | None = None  # None: neither way is better, so there is no verdict
     factor: float = 1.0
-    subject: str = ""  # of a sentence, where it is not "The " and the name
-    definition: str = ""  # in exports, where it is not the subject without "The "
-    meaning: str = ""  # one more sentence for people, where the name needs it
+    subject: Text | None = None  # within a sentence, of the measures of a trial
+    definition: Text | None = None  # in exports, where it is not the name
+    meaning: Text | None = None  # one more sentence for people, where the name needs it
     needs_goal: bool = True  # a trial that did not reach the goal does not count
     of_whole: bool = False  # of the whole path or task: not shown of a trial that did not reach the goal
     of: str | None = None  # the measure that is the total, as in "2 of 5 cones"
 
     @property
-    def as_subject(self) -> str:
-        """The measure as the subject of a sentence: "The area off the path"."""
-        return self.subject or f"The {self.name[0].lower()}{self.name[1:]}"
+    def as_subject(self) -> Text:
+        """The measure within a sentence: "the area off the path"."""
+        return self.subject or self.name
 
     @property
-    def defined_as(self) -> str:
+    def defined_as(self) -> Text:
         """What the measure is, for readers of exports."""
-        subject = self.as_subject.removeprefix("The ")
-        return self.definition or f"{subject[0].upper()}{subject[1:]}"
+        return self.definition or self.name
 
-    def figure(self, value: float) -> str:
+    def figure(self, value: float) -> Text:
         """Return a stored value as people read it, without its unit."""
         digits = self.digits
         if not digits and not self.unit and value != round(value):
             digits = 1  # a mean of counts
-        return with_minus(f"{round(value * self.factor, digits) + 0.0:.{digits}f}")  # + 0.0: never -0
+        return Text("measure-number", figure=Figure(value * self.factor, digits))
 
-    def with_unit(self, figure: str) -> str:
+    def with_unit(self, figure: Value) -> Text:
         """Return a figure with the unit behind it; a degree sign stands close to it."""
-        return f"{figure}{self.unit}" if self.unit == "°" else f"{figure} {self.unit}".rstrip()
+        if not self.unit:
+            return Text("measure-number", figure=figure)
+        if self.unit == "°":
+            return Text("measure-degrees", figure=figure)
+        return Text("measure-with-unit", figure=figure, unit=self.unit)
 
-    def level(self, value: float) -> str:
+    def level(self, value: float) -> Text:
         """Return a stored value as people read it, with its unit."""
         return self.with_unit(self.figure(value))
 
@@ -71,180 +74,248 @@ SECONDS: Final = ("s", "s", 1)
 
 TRIAL_MEASURES: Final[dict[str, Measure]] = {
     "stages_done": Measure(
-        "Stages done", *COUNT, "count", "high", subject="The number of stages done", needs_goal=False, of="stages"
+        Text("measure-stages-done"),
+        *COUNT,
+        "count",
+        "high",
+        subject=Text("measure-stages-done-subject"),
+        definition=Text("measure-stages-done-definition"),
+        needs_goal=False,
+        of="stages",
     ),
     "follow_error_rms": Measure(
-        "Usual error of the distance to the leader",
+        Text("measure-follow-error-rms"),
         *METRES,
         "log",
         "low",
-        definition="Root mean square error of the distance to the leader",
+        definition=Text("measure-follow-error-rms-definition"),
+        subject=Text("measure-follow-error-rms-subject"),
     ),
-    "follow_error_max": Measure("Largest error of the distance to the leader", *METRES, "log", "low"),
-    "follow_near": Measure("Share of time near the asked distance", *SHARE, "plain", "high", factor=100.0),
+    "follow_error_max": Measure(
+        Text("measure-follow-error-max"), *METRES, "log", "low", subject=Text("measure-follow-error-max-subject")
+    ),
+    "follow_near": Measure(
+        Text("measure-follow-near"), *SHARE, "plain", "high", factor=100.0, subject=Text("measure-follow-near-subject")
+    ),
     "heading_error_deg": Measure(
-        "Angle off the mark", "°", "deg", 0, "root", "low", definition="Error of the heading", of_whole=True
+        Text("measure-heading-error-deg"),
+        "°",
+        "deg",
+        0,
+        "root",
+        "low",
+        definition=Text("measure-heading-error-deg-definition"),
+        of_whole=True,
+        subject=Text("measure-heading-error-deg-subject"),
     ),
     "turn_drift": Measure(
-        "Moved off the spot",
+        Text("measure-turn-drift"),
         *METRES,
         "root",
         "low",
-        subject="The way off the spot",
-        definition="Largest distance from the place of the turn",
+        subject=Text("measure-turn-drift-subject"),
+        definition=Text("measure-turn-drift-definition"),
     ),
     "cones_touched": Measure(
-        "Cones touched", *COUNT, "count", "low", subject="The number of cones touched", of="cones"
-    ),
-    "gap_clearance": Measure(
-        "Narrowest clearance in a gap", *METRES, "plain", "high", definition="Smallest clearance in gaps"
-    ),
-    "door_contacts": Measure(
-        "Contacts with door or gap",
+        Text("measure-cones-touched"),
         *COUNT,
         "count",
         "low",
-        subject="The number of contacts with a door or gap",
-        definition="Number of contacts at doors",
+        subject=Text("measure-cones-touched-subject"),
+        definition=Text("measure-cones-touched-definition"),
+        of="cones",
+    ),
+    "gap_clearance": Measure(
+        Text("measure-gap-clearance"),
+        *METRES,
+        "plain",
+        "high",
+        definition=Text("measure-gap-clearance-definition"),
+        subject=Text("measure-gap-clearance-subject"),
+    ),
+    "door_contacts": Measure(
+        Text("measure-door-contacts"),
+        *COUNT,
+        "count",
+        "low",
+        subject=Text("measure-door-contacts-subject"),
+        definition=Text("measure-door-contacts-definition"),
     ),
     "e_diff": Measure(
-        "Area off the path", "m²", "m2", 2, "log", "low", definition="Area between trajectory and path", of_whole=True
+        Text("measure-e-diff"),
+        "m²",
+        "m2",
+        2,
+        "log",
+        "low",
+        definition=Text("measure-e-diff-definition"),
+        of_whole=True,
+        subject=Text("measure-e-diff-subject"),
     ),
-    "dist": Measure("Distance driven", *METRES, "log", "low", of_whole=True),
+    "dist": Measure(Text("measure-dist"), *METRES, "log", "low", of_whole=True, subject=Text("measure-dist-subject")),
     "time": Measure(
-        "Time", *SECONDS, "log", "low", subject="The time for a trial", definition="Time to the goal", of_whole=True
+        Text("measure-time"),
+        *SECONDS,
+        "log",
+        "low",
+        subject=Text("measure-time-subject"),
+        definition=Text("measure-time-definition"),
+        of_whole=True,
     ),
     "dist_ratio": Measure(
-        "Distance over path length",
+        Text("measure-dist-ratio"),
         *RATIO,
         "log",
         "low",
-        subject="The distance driven over the length of the path",
+        subject=Text("measure-dist-ratio-subject"),
+        definition=Text("measure-dist-ratio-definition"),
         of_whole=True,
     ),
     "cross_track_rms": Measure(
-        "Usual distance from the path", *METRES, "log", "low", definition="Root mean square distance to the path"
+        Text("measure-cross-track-rms"),
+        *METRES,
+        "log",
+        "low",
+        definition=Text("measure-cross-track-rms-definition"),
+        subject=Text("measure-cross-track-rms-subject"),
     ),
-    "cross_track_max": Measure("Largest distance from the path", *METRES, "log", "low"),
-    "mean_speed": Measure("Mean speed", "m/s", "m/s", 2, "log"),  # the person, the limits and the leader choose it
-    "stops": Measure("Stops", *COUNT, "count", "low", subject="The number of stops"),
-    "collisions": Measure(
-        "Contacts",
+    "cross_track_max": Measure(
+        Text("measure-cross-track-max"), *METRES, "log", "low", subject=Text("measure-cross-track-max-subject")
+    ),
+    "mean_speed": Measure(
+        Text("measure-mean-speed"), "m/s", "m/s", 2, "log", subject=Text("measure-mean-speed-subject")
+    ),  # the person, the limits and the leader choose it
+    "stops": Measure(
+        Text("measure-stops"),
         *COUNT,
         "count",
         "low",
-        subject="The number of contacts with walls and obstacles",
-        definition="Number of collisions",
+        subject=Text("measure-stops-subject"),
+        definition=Text("measure-stops-definition"),
+    ),
+    "collisions": Measure(
+        Text("measure-collisions"),
+        *COUNT,
+        "count",
+        "low",
+        subject=Text("measure-collisions-subject"),
+        definition=Text("measure-collisions-definition"),
     ),
     "contact_time": Measure(
-        "Time in contact", *SECONDS, "root", "low", subject="The time in contact with walls and obstacles"
+        Text("measure-contact-time"),
+        *SECONDS,
+        "root",
+        "low",
+        subject=Text("measure-contact-time-subject"),
+        definition=Text("measure-contact-time-definition"),
     ),
     "turn_reversals": Measure(
-        "Changes of turning",
+        Text("measure-turn-reversals"),
         *COUNT,
         "count",
         "low",
-        subject="The number of changes between left and right turns",
-        definition="Number of reversals of the turning command",
+        subject=Text("measure-turn-reversals-subject"),
+        definition=Text("measure-turn-reversals-definition"),
     ),
     "pulses_per_metre": Measure(
-        "Commands per metre", "/m", "/m", 1, "log", "low", subject="The number of commands per metre"
+        Text("measure-pulses-per-metre"),
+        "/m",
+        "/m",
+        1,
+        "log",
+        "low",
+        subject=Text("measure-pulses-per-metre-subject"),
+        definition=Text("measure-pulses-per-metre-definition"),
     ),
     "sparc": Measure(
-        "Smoothness",
+        Text("measure-sparc"),
         *RATIO,
         "plain",
         "high",
-        subject="The smoothness of the speed (higher is smoother)",
-        definition="Smoothness: spectral arc length",
+        subject=Text("measure-sparc-subject"),
+        definition=Text("measure-sparc-definition"),
     ),
     "ldlj": Measure(
-        "Smoothness, another measure",
+        Text("measure-ldlj"),
         *RATIO,
         "plain",
         "high",
-        subject="Another measure of the smoothness of the speed (higher is smoother)",
-        definition="Smoothness: logarithmic dimensionless jerk",
+        subject=Text("measure-ldlj-subject"),
+        definition=Text("measure-ldlj-definition"),
     ),
 }
 """The measures of a trial that are compared with those of other trials."""
 
 INTERRUPTIONS: Final[dict[str, Measure]] = {
-    "halts": Measure(
-        "Halts by the machine",
-        *COUNT,
-        definition="Number of halts by the machine; no other measure includes their time",
-    ),
-    "halt_time": Measure("Time halted by the machine", *SECONDS),
-    "pauses": Measure("Pauses for the screen", *COUNT, definition="Number of pauses because of the screen"),
-    "pause_time": Measure("Time paused for the screen", *SECONDS, definition="Time paused because of the screen"),
-    "person_stops": Measure("Stops by a person", *COUNT, subject="The number of stops by a person"),
-    "person_stop_time": Measure("Time stopped by a person", *SECONDS),
+    "halts": Measure(Text("measure-halts"), *COUNT, definition=Text("measure-halts-definition")),
+    "halt_time": Measure(Text("measure-halt-time"), *SECONDS),
+    "pauses": Measure(Text("measure-pauses"), *COUNT, definition=Text("measure-pauses-definition")),
+    "pause_time": Measure(Text("measure-pause-time"), *SECONDS, definition=Text("measure-pause-time-definition")),
+    "person_stops": Measure(Text("measure-person-stops"), *COUNT, definition=Text("measure-person-stops-definition")),
+    "person_stop_time": Measure(Text("measure-person-stop-time"), *SECONDS),
 }
 """What interrupted a trial: exported with its measures, and never compared."""
 
 EXPORTED: Final = TRIAL_MEASURES | INTERRUPTIONS
 
 CIRCUMSTANCES: Final[dict[str, Measure]] = {
-    "path_length": Measure("Length of the path", *METRES),
-    "cross_track_mean": Measure("Mean distance from the path, left positive", *METRES),
-    "stages": Measure("Stages", *COUNT),
-    "cones": Measure("Cones", *COUNT),
-    "gaps": Measure("Gaps", *COUNT),
+    "path_length": Measure(Text("measure-path-length"), *METRES),
+    "cross_track_mean": Measure(Text("measure-cross-track-mean"), *METRES),
+    "stages": Measure(Text("measure-stages"), *COUNT),
+    "cones": Measure(Text("measure-cones"), *COUNT),
+    "gaps": Measure(Text("measure-gaps"), *COUNT),
 }
 """Further numbers of a trial that say what its measures are of."""
 
 TEST_MEASURES: Final[dict[str, Measure]] = {
     "acquisitions_per_minute": Measure(
-        "Targets per minute",
+        Text("measure-acquisitions-per-minute"),
         "",
         "/min",
         1,
         "root",
         "high",
-        definition="Two-minute test: targets per minute",
-        meaning="How many targets were reached and kept for a second, for each minute of the test.",
+        definition=Text("measure-acquisitions-per-minute-definition"),
+        meaning=Text("measure-acquisitions-per-minute-meaning"),
     ),
     "throughput": Measure(
-        "Speed and precision together",
+        Text("measure-throughput"),
         "bit/s",
         "bit/s",
         2,
         "log",
         "high",
-        definition="Two-minute test: throughput (ISO 9241-411, effective width)",
-        meaning="How much information the movements carry: who is twice as fast at the same precision has "
-        "twice as much. Higher is better; it is not given for fewer than eight targets.",
+        definition=Text("measure-throughput-definition"),
+        meaning=Text("measure-throughput-meaning"),
     ),
     "first_entry": Measure(
-        "Time to a target",
+        Text("measure-first-entry"),
         "s",
         "s",
         2,
         "log",
         "low",
-        definition="Two-minute test: time to the first entry into a target",
-        meaning="From the appearance of a target until the dot is in it for the first time: "
-        "the mean of the targets reached.",
+        definition=Text("measure-first-entry-definition"),
+        meaning=Text("measure-first-entry-meaning"),
     ),
     "dial_in": Measure(
-        "Time to settle in it",
+        Text("measure-dial-in"),
         "s",
         "s",
         2,
         "root",
         "low",
-        definition="Two-minute test: time from the first entry to the last one",
-        meaning="From there until the dot stays in it: 0 when the dot leaves no target again.",
+        definition=Text("measure-dial-in-definition"),
+        meaning=Text("measure-dial-in-meaning"),
     ),
     "path_efficiency": Measure(
-        "Straightness of the way",
+        Text("measure-path-efficiency"),
         *SHARE,
         "plain",
         "high",
         factor=100.0,
-        definition="Two-minute test: straight way divided by the way of the cursor",
-        meaning="The straight way over the way that the dot took: 100 % is straight.",
+        definition=Text("measure-path-efficiency-definition"),
+        meaning=Text("measure-path-efficiency-meaning"),
     ),
 }
 """The measures of a two-minute test."""
@@ -263,18 +334,18 @@ LEADING_OF_TESTS: Final = ("acquisitions_per_minute", "throughput", "first_entry
 
 REACHED: Final = "reached"
 """Whether a trial reached its goal; of a session, the share of its trials that did. It stands beside the measures."""
-REACHED_NAME: Final = "Goal reached"
-WORKLOAD_NAME: Final = "Workload, 0 to 100"
+REACHED_NAME: Final = Text("measure-reached")
+WORKLOAD_NAME: Final = Text("measure-workload")
 """The mean of the answers about workload after a two-minute test."""
 
-VERDICT_WORDS: Final[dict[Word, str]] = {
-    "better": "better than noise",
-    "within": "within noise",
-    "worse": "worse than noise",
-    "too few": "too few trials",
-    "number": "–",
+VERDICT_WORDS: Final[dict[Word, Text]] = {
+    "better": Text("verdict-word-better"),
+    "within": Text("verdict-word-within"),
+    "worse": Text("verdict-word-worse"),
+    "too few": Text("verdict-word-few-trials"),
+    "number": Text("verdict-word-none"),
 }
-VERDICT_WORDS_OF_TESTS: Final[dict[Word, str]] = {**VERDICT_WORDS, "too few": "too few tests"}
+VERDICT_WORDS_OF_TESTS: Final[dict[Word, Text]] = {**VERDICT_WORDS, "too few": Text("verdict-word-few-tests")}
 
 
 def is_number(value: object) -> bool:

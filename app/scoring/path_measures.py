@@ -8,6 +8,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from app.scoring.command_counts import contact_beginnings, onsets, reversals, standstills
+from app.texts import Text
 from app.world.path import Path
 from app.world.progress import LineProgress
 
@@ -217,22 +218,22 @@ def winding_numbers(ring: Numbers, places: Numbers) -> NDArray[np.int64]:
 def _checked(t: ArrayLike, x: ArrayLike, y: ArrayLike) -> tuple[Numbers, Numbers]:
     times = np.asarray(t, dtype=np.float64)
     if times.ndim != 1 or len(times) == 0:
-        raise ValueError("the trajectory has no rows: record a trial first")
+        raise ValueError(Text("measure-no-rows"))
     points = np.column_stack([_column("x", x, len(times)), _column("y", y, len(times))])
     if not np.all(np.isfinite(times)):
-        raise ValueError(f"t has no finite number in row {int(np.argmin(np.isfinite(times))) + 1}: correct it")
+        raise ValueError(Text("measure-not-finite", column="t", row=int(np.argmin(np.isfinite(times))) + 1))
     backwards = np.flatnonzero(np.diff(times) < 0)
     if len(backwards):
-        raise ValueError(f"t goes backwards in row {int(backwards[0]) + 2}: put the rows in the order of time")
+        raise ValueError(Text("measure-time-backwards", row=int(backwards[0]) + 2))
     return times, points
 
 
 def _column(name: str, values: ArrayLike, n: int) -> Numbers:
     column = np.asarray(values, dtype=np.float64)
     if column.shape != (n,):
-        raise ValueError(f"{name} has {column.size} rows and t has {n}: give them equal length")
+        raise ValueError(Text("measure-lengths", column=name, rows=column.size, times=n))
     if not np.all(np.isfinite(column)):
-        raise ValueError(f"{name} has no finite number in row {int(np.argmin(np.isfinite(column))) + 1}: correct it")
+        raise ValueError(Text("measure-not-finite", column=name, row=int(np.argmin(np.isfinite(column))) + 1))
     return column
 
 

@@ -18,6 +18,7 @@ from app.quantities import Document
 from app.recording.format import Columns
 from app.recording.reader import RunRecording, read_run
 from app.scoring.decimation import Decimation
+from app.texts import Text
 from app.world.floorplan import FloorPlan
 from app.world.movers import Track
 from app.world.path import Path
@@ -33,14 +34,6 @@ ONE_CONTACT = 0.5  # s; a touch within this time after a contact's beginning bel
 Numbers = NDArray[np.float64]
 Column = list[float | None]  # None: unknown at that time
 EventKind = Literal["checking", "armed", "stop", "fault", "disarmed", "contact", "goal"]
-
-EVENT_SENTENCES = {
-    "checking": "The check for rest began.",
-    "armed": "Motion was permitted.",
-    "disarmed": "Motion was permitted no more.",
-    "contact": "The chair touched something.",
-    "goal": "The goal was reached.",
-}
 
 
 class GestureLine(Document):
@@ -87,7 +80,7 @@ class Event(Document):
 
     t: float  # s since motion was first permitted
     kind: EventKind
-    message: str
+    message: Text
 
 
 class Timeline(Document):
@@ -133,7 +126,7 @@ def timeline_of(folder: FilePath, path_points: Sequence[Sequence[float]], end: s
     """
     run = read_run(folder)
     if run.rows == 0:
-        raise ValueError(f"The recording of this trial holds nothing. {run.damage or ''}".strip())
+        raise ValueError(Text("timeline-damaged", damage=run.damage) if run.damage else Text("timeline-nothing"))
     rows = run.columns
     t = since_armed(rows)
     decimation = Decimation(run.rows, MOST_POINTS)
@@ -177,7 +170,7 @@ def recorded_poses(folder: FilePath, most_per_second: float) -> tuple[FloorPlan,
     run = read_run(folder)
     plan = plan_of(run)
     if plan is None:
-        raise ValueError("The recording of this trial names no place: choose another trial.")
+        raise ValueError(Text("timeline-no-place"))
     return plan, poses_of(run, most_per_second)
 
 
@@ -185,7 +178,7 @@ def poses_of(run: RunRecording, most_per_second: float) -> Poses:
     """Return the poses of a recorded run, at most `most_per_second`; ValueError when the recording holds nothing."""
     rows = run.columns
     if run.rows == 0:
-        raise ValueError("The recording of this trial holds nothing: choose another trial.")
+        raise ValueError(Text("timeline-empty"))
     t = since_armed(rows)
     periods = np.floor((t - t[0]) * most_per_second)
     chosen = np.flatnonzero(np.diff(periods, prepend=-1.0) > 0)  # the first row of each period
@@ -345,7 +338,8 @@ def _state_event(state: int, fault: int, t: float) -> Event:
         }
         return _event(t, kinds[state])
     reason = Fault(fault)
-    return _event(t, "stop" if reason in PEOPLE_STOPS else "fault", str(EXPLANATIONS[reason].happened))
+    kind: EventKind = "stop" if reason in PEOPLE_STOPS else "fault"
+    return Event(t=round(float(t), 3), kind=kind, message=EXPLANATIONS[reason].happened)
 
 
 def _contacts(contacts: NDArray[np.generic], t: NDArray[np.float64]) -> list[Event]:
@@ -356,5 +350,5 @@ def _contacts(contacts: NDArray[np.generic], t: NDArray[np.float64]) -> list[Eve
     return events
 
 
-def _event(t: float, kind: EventKind, message: str = "") -> Event:
-    return Event(t=round(float(t), 3), kind=kind, message=message or EVENT_SENTENCES[kind])
+def _event(t: float, kind: EventKind) -> Event:
+    return Event(t=round(float(t), 3), kind=kind, message=Text(f"timeline-{kind}"))

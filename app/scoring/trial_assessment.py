@@ -8,6 +8,7 @@ import numpy as np
 from app.quantities import Document
 from app.scoring.control_quality import ControlQuality
 from app.scoring.joint_quality import JointQuality
+from app.texts import Text
 
 EDGE = 3  # trials at either end whose medians are compared
 FEWEST = 2  # trials that a warning needs; a warning of a sensor needs one
@@ -31,8 +32,8 @@ class ControlWarning(Document):
 
     kind: Kind
     joint: str  # label of the joint, or of several
-    message: str  # what was found
-    advice: str  # what to do
+    message: Text  # what was found
+    advice: Text  # what to do
 
 
 class JointInTrial(NamedTuple):

@@ -13,6 +13,7 @@ from app.pipeline.replay.batch import DecodedRun, decode_block
 from app.quantities import Document
 from app.recording.format import Columns
 from app.recording.reader import RunRecording
+from app.texts import Text
 
 BRIEF = 0.1  # s; an activation shorter than this is shorter than any deliberate movement
 
@@ -64,10 +65,8 @@ def predicted_effect(run: RunRecording, before: DriveParameters, after: DrivePar
 def _decoded(frames: Columns, parameters: DriveParameters) -> DecodedRun:
     values, profile = frames["values"], parameters.profile
     if values.shape[1] != len(profile.layout.channels):
-        raise ValueError(
-            f"the recording has {values.shape[1]} channels and the profile {len(profile.layout.channels)}: "
-            "use the profile of the same shirt"
-        )
+        channels = len(profile.layout.channels)
+        raise ValueError(Text("measure-forecast-channels", recorded=values.shape[1], channels=channels))
     return decode_block(
         parameters,
         profile.sample_rate,

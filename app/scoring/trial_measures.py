@@ -6,6 +6,7 @@ from pydantic import ConfigDict, Field, StrictBool, model_validator
 
 from app.quantities import Document, Finite, Name, Title
 from app.scoring.measures import CIRCUMSTANCES, INTERRUPTIONS, TRIAL_MEASURES
+from app.texts import Text
 
 NUMBERS: Final = frozenset({*TRIAL_MEASURES, *INTERRUPTIONS, *CIRCUMSTANCES})
 MOST_PARTS: Final = 100  # of a course
@@ -27,7 +28,7 @@ class PartMeasures(Document):
     def _numbers(self) -> Self:
         for name, value in self.__pydantic_extra__.items():
             if name in NUMBERS and isinstance(value, bool):
-                raise ValueError(f"'{name}' is no number")
+                raise ValueError(Text("measure-no-number", name=name))
         return self
 
 

@@ -121,8 +121,8 @@ class RealArming:
         if self._equipment.mistrust:
             refusals.append(self._equipment.mistrust)
         unconfirmed = own_movement_refusal(stored.parameters)
-        if unconfirmed:
-            refusals.append(unconfirmed)
+        if unconfirmed is not None:
+            refusals.append(str(unconfirmed))
         if stored.practice.trials == 0:
             refusals.append(NOT_PRACTISED)
         return refusals

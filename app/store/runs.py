@@ -113,7 +113,7 @@ def finish_trial(db: Session, trial_id: int, end: str, measures: JsonDocument | 
 def _ask_for(trial: Trial) -> None:
     reason = reason_to_ask(trial.measures or {})
     if trial.kept and reason is not None:
-        trial.kept, trial.discard_reason = False, reason
+        trial.kept, trial.discard_reason = False, str(reason)
 
 
 def trials_of_older_measures(db: Session, version: int) -> dict[int, str]:

@@ -9,6 +9,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING
 
 import numpy as np
+from pydantic_core import to_jsonable_python
 
 from app import __version__
 from app.scoring.measures import TRIAL_MEASURES
@@ -86,7 +87,7 @@ def seeds_summary(results: Sequence[StudyResult]) -> dict[str, object]:
                     for trial in result.trials
                 ],
                 "learning": {
-                    measure: {part: result.learning[measure][part] for part in ("text", "details")}
+                    measure: to_jsonable_python({part: result.learning[measure][part] for part in ("text", "details")})
                     for measure in MEASURES
                 },
             }

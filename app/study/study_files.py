@@ -14,6 +14,7 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 from numpy.typing import NDArray
+from pydantic_core import to_jsonable_python
 
 from app import __version__
 from app.hardware.body.person_parameters import PersonParameters, PracticeEffect
@@ -135,14 +136,18 @@ def summary(result: StudyResult) -> dict[str, object]:
         "sample_rate": result.sample_rate,
         "person": person_document(result.person),
         "calibration": {
-            joint.name: {"evr": joint.evr, "has_to_be_repeated": joint.has_to_be_repeated, "reason": joint.reason}
+            joint.name: {
+                "evr": joint.evr,
+                "has_to_be_repeated": joint.has_to_be_repeated,
+                "reason": str(joint.description),
+            }
             for joint in result.parameters.profile.joints
         },
         "parameters": result.parameters.model_dump(mode="json", exclude={"profile"}),
         "trials": [
             {"trial": trial.number, "stops_for_faults": trial.faults, **trial.measures} for trial in result.trials
         ],
-        "learning": result.learning,
+        "learning": to_jsonable_python(result.learning),
     }
 
 

@@ -10,8 +10,10 @@ from app.calibration.cued_runs import CuedRun
 from app.calibration.gestures.discovery import discover, discovery_from_profile
 from app.calibration.gestures.numbers import ratios, score_of
 from app.layout import ShirtLayout
+from app.texts import Text
 from building import guided_map
 
+GONE = Text("calibration-recordings-gone")
 CHANNELS = simulated_participant().layout.channels_of_joint
 PAPER = {"u1+": "right_elbow", "u1-": "left_elbow", "u2+": "right_shoulder", "u2-": "left_shoulder"}
 
@@ -73,8 +75,8 @@ def test_an_able_body_gets_the_vocabulary_of_the_paper_with_numbers(found):
         **{control: (joint,) for control, joint in PAPER.items()},
         "stop": ("right_elbow", "left_elbow"),
     }
-    assert "of 100 movements" in found.suggestion.reason
-    assert "(95 %)" in found.suggestion.reason
+    assert "of 100 movements" in str(found.suggestion.reason)
+    assert "(95 %)" in str(found.suggestion.reason)
 
 
 def test_the_suggestions_gestures_have_the_profiles_handles(participant, steps, found):
@@ -141,8 +143,8 @@ def test_a_joint_that_was_not_prompted_is_ranked_without_the_numbers_of_prompts(
 
 
 def test_without_recordings_the_profile_ranks_and_reports_what_is_missing(participant, steps):
-    discovery = discovery_from_profile(profile_of(participant.layout, steps), "They are gone.")
-    assert (discovery.source, discovery.message) == ("profile", "They are gone.")
+    discovery = discovery_from_profile(profile_of(participant.layout, steps), GONE)
+    assert (discovery.source, discovery.message) == ("profile", GONE)
     assert {one.direction for one in discovery.gestures} == {1}
     assert all(one.prediction is None and one.effort is None for one in discovery.gestures)
     assert len(used(discovery)) == 4

@@ -125,7 +125,7 @@ def test_without_prompts_the_sign_is_arbitrary_reported_and_reproducible(person)
     assert profile.cross_talk is None
     for joint in profile.joints:
         assert joint.grade == "usable"
-        assert "which way it counts is not known" in joint.reason
+        assert "which way it counts is not known" in str(joint.description)
         assert not joint.prompted
         heaviest = np.argmax(np.abs(joint.direction))
         assert joint.direction[heaviest] > 0
@@ -138,7 +138,7 @@ def test_the_prompted_direction_wins_when_the_free_movement_was_another(person):
     profile = calibrate(person, free=person.signals(angles, others))
     for row, joint in enumerate(profile.joints):
         assert joint.angle_deg > 30
-        assert "prompted direction is used" in joint.reason
+        assert "prompted direction is used" in str(joint.description)
         assert joint.grade == "usable"
         gains = person.gains[row, list(joint.channels)]
         assert np.dot(joint.direction, gains) / np.linalg.norm(gains) > 0.95
@@ -150,7 +150,7 @@ def test_a_joint_that_was_forgotten_in_the_free_movement_takes_its_span_from_the
     profile = calibrate(person, free=person.signals(angles))
     excursion = np.linalg.norm(person.gains[1])
     assert profile.joints[1].span == pytest.approx(excursion, rel=0.15)
-    assert "the span is that of the prompts" in profile.joints[1].reason
+    assert "the span is that of the prompts" in str(profile.joints[1].description)
 
 
 def test_cross_talk_is_measured_and_reported(person):
@@ -164,7 +164,7 @@ def test_cross_talk_is_measured_and_reported(person):
     assert matrix[2, 3] > 0.7
     assert matrix[3, 2] < 0.1
     assert profile.joints[2].grade == "usable"
-    assert "'left_shoulder' answers too" in profile.joints[2].reason
+    assert "'left_shoulder' answers too" in str(profile.joints[2].description)
     assert profile.joints[3].grade == "good"
 
 
@@ -174,7 +174,7 @@ def test_cross_talk_is_measured_and_reported(person):
 def test_uneven_opposite_and_tiny_prompted_movements_are_to_be_repeated(person, sizes, reason):
     joint = calibrate(person, repetitions=[person.repetition("left_elbow", size=size) for size in sizes]).joints[1]
     assert joint.grade == "repeat"
-    assert reason in joint.reason
+    assert reason in str(joint.description)
     assert reason != "differ" or joint.repeatability == pytest.approx(np.std(sizes) / np.mean(sizes), rel=0.1)
 
 
@@ -184,7 +184,7 @@ def test_a_joint_that_moves_in_many_ways_has_a_low_evr_which_is_reported():
     assert len(low) >= 2
     for joint in low:
         assert joint.grade != "good"
-        assert "below the usual 80 %" in joint.reason
+        assert "below the usual 80 %" in str(joint.description)
 
 
 def test_dead_zone_is_four_times_the_noise_at_rest_where_that_is_more():

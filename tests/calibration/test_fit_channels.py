@@ -55,8 +55,8 @@ def test_lost_frames_do_no_harm(person):
 
 def test_channels_marked_as_unused_are_left_out(person):
     profile = calibrate(person, unused={"left_elbow_2"})
-    assert profile.left_out == {"left_elbow_2": "marked as unused"}
-    assert "Sensors left out: 1 of 5" in profile.joints[1].reason
+    assert {name: str(reason) for name, reason in profile.left_out.items()} == {"left_elbow_2": "marked as unused"}
+    assert "Sensors left out: 1 of 5" in str(profile.joints[1].description)
 
 
 def test_near_railed_channels_stay_only_when_the_joint_has_no_better_one(person):
@@ -170,7 +170,7 @@ def test_a_dead_channel_is_flat_with_its_reason(moving):
     moving[:, 1] = 0.25
     quality = channel_quality(moving, GROUP, FS)
     assert [one.condition for one in quality] == ["good", "flat", "good", "good", "good"]
-    assert "never changes" in quality[1].message
+    assert "never changes" in str(quality[1].message)
 
 
 def test_a_channel_that_gets_stuck_is_flat(moving):
@@ -182,7 +182,7 @@ def test_a_single_missing_sample_is_reported(moving):
     moving[500, 3] = np.nan
     quality = channel_quality(moving, GROUP, FS)
     assert quality[3].condition == "nan"
-    assert "1 of 1000" in quality[3].message
+    assert "1 of 1000" in str(quality[3].message)
 
 
 def test_lost_frames_are_no_channels_fault(moving):
@@ -203,7 +203,7 @@ def test_clipping_shows_without_knowing_the_range(moving):
     moving[:, 0] = np.minimum(moving[:, 0], 0.8)
     quality = channel_quality(moving, GROUP, FS)
     assert quality[0].condition == "railed"
-    assert "upper end" in quality[0].message
+    assert "upper end" in str(quality[0].message)
     assert [one.condition for one in quality[1:]] == ["good"] * 4
 
 

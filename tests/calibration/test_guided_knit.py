@@ -79,4 +79,4 @@ def test_a_dead_channel_does_not_enter(knit):
 def test_two_repetitions_are_too_few(knit):
     fitted = knit.fit(knit.prompts(0, most=2))
     assert all(joint.guided is None for joint in fitted.profile.joints)
-    assert all("2 prompted repetitions" in reason for reason in fitted.reasons.values())
+    assert all("2 prompted repetitions" in str(reason) for reason in fitted.reasons.values())

@@ -28,4 +28,4 @@ def test_parts_that_are_zero_are_left_out_and_come_back(read):
 )
 def test_the_counts_say_what_it_is_learnt_from(people, repetitions, words):
     linear = LinearMap(rates=((1.0,),), dead_zone=0.2, full=1.0, people=people, repetitions=repetitions)
-    assert linear.source == words
+    assert str(linear.source) == words

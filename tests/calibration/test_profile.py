@@ -5,9 +5,11 @@ import json
 import pytest
 from pydantic import ValidationError
 
+from app.calibration.grades import UNPROMPTED
 from app.calibration.linear_map import LinearMap, MapCheck
 from app.calibration.profile import CalibrationProfile, JointMap
 from app.calibration.vocabulary import standard_parameters
+from app.texts import Figure, Text
 from building import guided_map, make_profile
 
 PCA = MapCheck(in_phase=0.9, hit_rate=0.8, false_per_minute=1.0, false_count=1)
@@ -128,3 +130,34 @@ def test_a_map_that_mostly_acts_outside_of_the_movement_is_not_better_than_one_t
 def test_a_guided_map_is_better_only_when_it_loses_nothing(check, better):
     fields = {"in_phase": 0.95, "hit_rate": 0.78, "false_per_minute": 2.0, "false_count": 2} | check
     assert guided(2, check=MapCheck(**fields)).is_better is better
+
+
+def with_reason(reason):
+    document = make_profile().model_dump(mode="json")
+    document["joints"][0]["reason"] = reason
+    return document
+
+
+def test_sentences_are_stored_as_ids_with_values():
+    reason = (Text("grade-angle", degrees=Figure(31.4)), UNPROMPTED)
+    profile = CalibrationProfile.model_validate(with_reason(reason))
+    read = CalibrationProfile.model_validate_json(profile.model_dump_json(), strict=True)
+    assert read.joints[0].reason == reason
+    assert str(read.joints[0].description).endswith(
+        "check it in Try it. It was not prompted, so which way it counts is not known: prompt it."
+    )
+
+
+def test_a_profile_of_before_stays_as_it_is():
+    document = with_reason("Clear main movement: 92 %.")
+    profile = CalibrationProfile.model_validate(document)
+    assert str(profile.joints[0].description) == "Clear main movement: 92 %."
+    assert profile.model_dump(mode="json") == document
+
+
+@pytest.mark.parametrize(
+    "wrong", [{"text": 5}, {"id": "grade-angle"}, {"text": "grade-angle", "degrees": {"number": 1.0, "digits": 10**9}}]
+)
+def test_a_text_that_no_program_has_stored_is_refused(wrong):
+    with pytest.raises(ValidationError):
+        CalibrationProfile.model_validate(with_reason([wrong]))

@@ -2,6 +2,7 @@ from calibration.simulated_person import JOINTS, SimulatedPerson, calibrate, lay
 
 from app.calibration.gestures.discovery import discovery_from_profile
 from app.calibration.vocabulary import PAPER_VOCABULARY, standard_parameters
+from app.texts import Text
 
 
 def calibrated(joints, along=None):
@@ -16,7 +17,7 @@ def calibrated(joints, along=None):
 
 def suggested(profile):
     """Return the suggestion from the profile's numbers, as when its recordings are gone."""
-    return discovery_from_profile(profile, "No recordings.").suggestion
+    return discovery_from_profile(profile, Text("calibration-recordings-gone")).suggestion
 
 
 def bound(suggestion):
@@ -27,8 +28,8 @@ def test_the_papers_four_joints_give_the_papers_vocabulary():
     suggestion = suggested(calibrated(JOINTS))
     expected = {control: (name,) for name, control in PAPER_VOCABULARY.items()}
     assert bound(suggestion) == {**expected, "stop": ("right_elbow", "left_elbow")}
-    assert "has a strong signal" in suggestion.reason
-    assert "%" in suggestion.reason
+    assert "has a strong signal" in str(suggestion.reason)
+    assert "%" in str(suggestion.reason)
 
 
 def test_joints_that_answer_together_are_not_chosen():
@@ -47,8 +48,8 @@ def test_no_two_gestures_of_which_one_comes_with_the_other_are_bound():
     for share in (0.5, 0.9):
         suggestion = suggested(calibrated(("jaw", "neck"), {"jaw": {"neck": share}}))
         assert [(binding.control, len(binding.gestures)) for binding in suggestion.bindings] == [("u1+", 1)]
-        assert "is left out: it comes with" in suggestion.reason
-        assert "nothing was prompted" not in suggestion.reason
+        assert "is left out: it comes with" in str(suggestion.reason)
+        assert "nothing was prompted" not in str(suggestion.reason)
     three = suggested(calibrated(("jaw", "neck", "brow"), {"jaw": {"neck": 0.9}}))
     names = {name for binding in three.bindings for name in binding.gestures}
     assert names in ({"jaw", "brow"}, {"neck", "brow"})
@@ -88,7 +89,7 @@ def test_fewer_joints_give_fewer_bindings_that_are_still_valid():
 def test_without_prompts_nothing_is_claimed_about_cross_talk():
     suggestion = suggested(calibrate(SimulatedPerson(layout_of()), repetitions=()))
     assert len(suggestion.bindings) == 5
-    assert "not known" in suggestion.reason
+    assert "not known" in str(suggestion.reason)
 
 
 def test_a_joint_that_was_not_prompted_while_others_were_is_left_to_the_clinician():

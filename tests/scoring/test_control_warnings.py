@@ -39,28 +39,30 @@ def bad(name: str, share: float, silent: bool = True) -> BadChannel:
 
 def kinds(trials: list[TrialAssessment], **more: Any) -> list[str]:
     found = control_warnings(trials, **more).warnings
-    assert all(len(one.message) > 20 and len(one.advice) > 20 and one.advice.endswith(".") for one in found)
+    assert all(
+        len(str(one.message)) > 20 and len(str(one.advice)) > 20 and str(one.advice).endswith(".") for one in found
+    )
     return [one.kind for one in found]
 
 
 def test_no_trials_and_steady_trials_give_no_warning():
-    assert control_warnings([]) == ([], "")
+    assert control_warnings([]) == ([], None)
     random = np.random.default_rng(1)
     trials = [trial(n, joint(random.normal(0, 1.5), span=random.normal(2, 0.1)), session=1 + n // 4) for n in range(32)]
     assert control_warnings(trials) == ([], "")
 
 
 def test_few_trials_are_called_few():
-    assert "1 in the last session, and 1 session" in control_warnings([trial(1)]).note
-    assert control_warnings([trial(n) for n in range(8)]).note == ""
-    assert "of one task" in control_warnings([trial(n, task=f"clinic/{n}") for n in range(8)]).note
+    assert "1 in the last session, and 1 session" in str(control_warnings([trial(1)]).note)
+    assert control_warnings([trial(n) for n in range(8)]).note is None
+    assert "of one task" in str(control_warnings([trial(n, task=f"clinic/{n}") for n in range(8)]).note)
 
 
 def test_a_sensor_that_failed_in_the_last_trial_is_named_with_what_to_do():
     (warning,) = control_warnings([trial(1), trial(2, bad=(bad("e2", 0.64),))]).warnings
     assert (warning.kind, warning.joint) == ("sensor", "Right elbow")
-    assert "e2 gave no signal for 64 %" in warning.message
-    assert "plug" in warning.advice
+    assert "e2 gave no signal for 64 %" in str(warning.message)
+    assert "plug" in str(warning.advice)
     assert kinds([trial(1, bad=(bad("e2", 0.64),)), trial(2)]) == []
     assert kinds([trial(1, bad=(bad("e2", 0.01),))]) == []
 
@@ -68,8 +70,8 @@ def test_a_sensor_that_failed_in_the_last_trial_is_named_with_what_to_do():
 def test_several_sensors_outside_their_range_mean_that_the_shirt_moved():
     outside = (bad("e1", 1.0, silent=False), bad("e3", 1.0, silent=False))
     (warning,) = control_warnings([trial(1, bad=outside)]).warnings
-    assert (warning.kind, "2 sensors" in warning.message) == ("map", True)
-    assert "fit the calibration" in warning.advice
+    assert (warning.kind, "2 sensors" in str(warning.message)) == ("map", True)
+    assert "fit the calibration" in str(warning.advice)
     assert kinds([trial(1, bad=outside[:1])]) == ["sensor"]
 
 
@@ -85,7 +87,7 @@ def test_a_direction_that_turned_since_the_first_trials_of_the_map(turn_deg, exp
     trials = [trial(n) for n in range(3)] + [trial(3 + n, joint(turn_deg), session=2) for n in range(2)]
     assert kinds(trials) == expected
     if expected:
-        assert "turned by 12°" in control_warnings(trials).warnings[0].message
+        assert "turned by 12°" in str(control_warnings(trials).warnings[0].message)
     assert kinds(trials[:-1]) == []  # one trial gives no warning
 
 
@@ -97,8 +99,8 @@ def test_a_new_map_begins_anew():
 def test_a_map_that_never_fitted():
     trials = [trial(n, joint(map_angle_deg=41.0, null_space_share=0.43)) for n in range(3)]
     (warning,) = control_warnings(trials).warnings
-    assert "41° off the calibration" in warning.message
-    assert "43 %" in warning.message
+    assert "41° off the calibration" in str(warning.message)
+    assert "43 %" in str(warning.message)
 
 
 def test_a_movement_with_a_falling_evr():
@@ -109,7 +111,7 @@ def test_a_movement_with_a_falling_evr():
 
 def test_a_guided_joint_is_called_one():
     trials = [trial(n, joint(map_angle_deg=41.0, guided=True, dead_zone=None)) for n in range(3)]
-    assert "than the standard one drives" in control_warnings(trials).warnings[0].advice
+    assert "than the standard one drives" in str(control_warnings(trials).warnings[0].advice)
 
 
 def test_noise_near_the_dead_zone_and_noise_that_grows():
@@ -117,7 +119,7 @@ def test_noise_near_the_dead_zone_and_noise_that_grows():
     assert kinds([trial(n, joint(rest_rate=0.045)) for n in range(2)]) == []
     growing = [trial(n, joint(rest_rate=0.01 * 1.08**n)) for n in range(10)]
     assert kinds(growing) == ["noise"]
-    assert "times that of the first trials" in control_warnings(growing).warnings[0].message
+    assert "times that of the first trials" in str(control_warnings(growing).warnings[0].message)
     assert kinds(growing[:7]) == []
     assert kinds([trial(n, joint(rest_rate=0.01 * 1.01**n)) for n in range(10)]) == []
 
@@ -137,13 +139,13 @@ def test_a_span_that_falls_over_sessions_or_within_one():
         ]
 
     assert kinds(over(0.02)) == ["span"]
-    assert "10 % smaller over 6 sessions" in control_warnings(over(0.02)).warnings[0].message
+    assert "10 % smaller over 6 sessions" in str(control_warnings(over(0.02)).warnings[0].message)
     assert kinds(over(0.01)) == []
     assert kinds(over(0.02)[:9]) == []  # three sessions
     assert kinds(over(0.02, per_metre=0.02)) == []  # fewer and smaller movements are skill
     tired = [trial(n, joint(span=2.0 * 0.96**n)) for n in range(9)]
     assert kinds(tired) == ["span"]
-    assert "rest" in control_warnings(tired).warnings[0].advice
+    assert "rest" in str(control_warnings(tired).warnings[0].advice)
     other = [trial(n, joint(span=1.0), task="clinic/corner") for n in range(3)]
     assert kinds([trial(n) for n in range(9)] + other) == []
 

@@ -15,7 +15,6 @@ from app.scoring.measures import (
     REACHED,
     TEST_MEASURES,
     TRIAL_MEASURES,
-    Measure,
 )
 from app.scoring.task_measures import task_measures
 from app.world.scene import bundled_places
@@ -81,14 +80,14 @@ def test_no_other_file_has_a_table_of_measures() -> None:
 
 
 def test_words_of_a_measure_follow_from_its_name() -> None:
-    plain = Measure("Area off the path", "m²", "m2", 2)
-    assert (plain.as_subject, plain.defined_as) == ("The area off the path", "Area off the path")
-    named = Measure("Stops", "", "1", 0, subject="The number of stops")
-    assert (named.as_subject, named.defined_as) == ("The number of stops", "Number of stops")
+    plain = CIRCUMSTANCES["path_length"]
+    assert (str(plain.as_subject), str(plain.defined_as)) == ("Length of the path", "Length of the path")
+    named = TRIAL_MEASURES["stops"]
+    assert (str(named.as_subject), str(named.defined_as)) == ("the number of stops", "Number of stops")
 
 
 def test_levels_are_written_in_their_unit() -> None:
-    assert TRIAL_MEASURES["heading_error_deg"].level(12.3) == "12°"
-    assert TRIAL_MEASURES["stops"].level(0.4) == "0.4"
-    assert TRIAL_MEASURES["sparc"].level(-0.001) == "0.00"
-    assert TRIAL_MEASURES["follow_near"].level(0.434) == "43 %"
+    assert str(TRIAL_MEASURES["heading_error_deg"].level(12.3)) == "12°"
+    assert str(TRIAL_MEASURES["stops"].level(0.4)) == "0.4"
+    assert str(TRIAL_MEASURES["sparc"].level(-0.001)) == "0.00"
+    assert str(TRIAL_MEASURES["follow_near"].level(0.434)) == "43 %"

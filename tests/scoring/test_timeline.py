@@ -59,7 +59,7 @@ def test_the_events_are_on_the_time_line(folder):
     assert kinds[:2] == ["checking", "armed"]
     assert events[1].t == 0.0
     stop = next(event for event in events if event.kind == "stop")
-    assert stop.message == "Stop was pressed on the screen."
+    assert str(stop.message) == "Stop was pressed on the screen."
     assert kinds.count("armed") == 2
     assert "goal" in kinds
     assert "goal" not in {event.kind for event in timeline_of(folder, PATH, "by hand").events}

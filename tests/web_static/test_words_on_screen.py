@@ -75,7 +75,7 @@ def test_the_pages_and_the_server_have_the_same_words(answered, reference_file):
     signals = [value for limit in SIGNAL_TO_NOISE_LIMITS for value in (limit - NEAR, limit, limit + NEAR)]
     spreads = [value for limit in SPREAD_LIMITS for value in (limit - NEAR, limit, limit + NEAR)]
     words = answered("grade_words.mjs", {"signals": signals, "spreads": spreads}, reference_file)
-    assert words == [[signal_word(value) for value in signals], [repeats_word(value) for value in spreads]]
+    assert words == [[str(signal_word(value)) for value in signals], [str(repeats_word(value)) for value in spreads]]
 
 
 def test_each_kind_of_event_has_its_text() -> None:

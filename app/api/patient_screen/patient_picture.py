@@ -129,7 +129,8 @@ class PatientPicture:
         if joint is None or layout is None:
             return None
         return next(
-            (movement_instruction(layout_joint) for layout_joint in layout.joints if layout_joint.name == joint), None
+            (str(movement_instruction(layout_joint)) for layout_joint in layout.joints if layout_joint.name == joint),
+            None,
         )
 
 

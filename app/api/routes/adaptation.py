@@ -5,13 +5,14 @@ from dataclasses import dataclass
 from typing import Annotated, Any
 
 from fastapi import APIRouter, Depends
-from pydantic import Field
+from pydantic import AfterValidator, Field
 
 from app.api.answers import Answer, MomentText
 from app.api.deps import Anyone, Db, RowId
 from app.api.page_session import ClinicianInSession
 from app.api.parts import parts_for
 from app.calibration.adaptation.proposal_document import JointChange
+from app.json_values import JsonDocument
 from app.quantities import Document
 from app.scoring.trial_forecast import Effect
 from app.session.adaptation import NOT_ASKED, STALE, AdaptationFlow, AdaptationProposal, Mode
@@ -22,6 +23,7 @@ from app.store.log import log_viewing
 from app.store.map_versions import version_before, versions_of
 from app.store.parameters import as_document, current_parameters, newest_profile
 from app.store.patients import find_patient
+from app.texts import Text, from_document
 
 router = APIRouter(tags=["adaptation"])
 
@@ -43,6 +45,7 @@ class ProposalChoice(Document):
 class JointView(JointChange):
     """The proposed change of a joint, with its label."""
 
+    reason: Text
     label: str
 
 
@@ -53,7 +56,7 @@ class ProposalView(Document):
     trials: list[int]
     felt_change: float
     warns: bool  # the change is so large that the patient will feel it
-    reason: str
+    reason: Text
     changes: bool  # whether there is anything to apply
     joints: list[JointView]
     effect: Effect | None  # predicted by replaying the last trial; None when that was not possible
@@ -75,13 +78,24 @@ class AdaptationView(Document):
     looking: bool  # a proposal is being made
 
 
+def _with_sentences(difference: JsonDocument | None) -> JsonDocument | None:
+    """Return what a version changed, with the reason of each joint as a text."""
+    if difference is None or "joints" not in difference:
+        return difference
+    joints = {
+        name: {field: from_document(value) if field == "reason" else value for field, value in joint.items()}
+        for name, joint in difference["joints"].items()
+    }
+    return {**difference, "joints": joints}
+
+
 class MapView(Answer):
     """One version of a map."""
 
     version: int
     origin: str
     parent: int | None
-    difference: dict[str, Any] | None
+    difference: Annotated[dict[str, Any] | None, AfterValidator(_with_sentences)]
     created: MomentText
     trials: list[int]
 
@@ -128,7 +142,7 @@ def _view(db: Transaction, flow: AdaptationFlow, patient_id: int, *, simulated: 
     elif not is_current(db, patient_id, waiting.base_hash, waiting.trials):
         waiting, why = None, STALE
     elif waiting.result.proposal.parameters is None:
-        why = waiting.result.proposal.reason
+        why = str(waiting.result.proposal.reason)
     practice = flow.practice.practice(db, patient_id, parameters.hash, simulated=simulated)
     labels = {joint.name: joint.label for joint in parameters.profile.layout.joints}
     changed = {

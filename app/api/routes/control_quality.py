@@ -69,7 +69,7 @@ def quality(
         trials=[_row(assessment) for assessment in assessments],
         labels={joint.name: joint.label for assessment in assessments for joint in assessment.quality.joints},
         warnings=answer.warnings,
-        note=answer.note,
+        note=str(answer.note or ""),
     )
 
 

@@ -35,6 +35,7 @@ from app.store.parameters import (
     undo_and_redo,
 )
 from app.store.tables import ParameterSet, PatientSession, Profile
+from app.texts import Text
 
 router = APIRouter(prefix="/controls", tags=["controls"])
 
@@ -80,7 +81,7 @@ class ControlsSuggestion(Document):
     """The vocabulary that the calibration suggests, and the reason."""
 
     bindings: tuple[Binding, ...]
-    reason: str
+    reason: Text
 
 
 class ControlsView(Document):

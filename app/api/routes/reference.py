@@ -30,6 +30,7 @@ from app.speed_limits import FIRST_SPEEDS, Speeds
 from app.store.access.sign_ins import IDLE_FOR
 from app.store.files.replacements import KEPT_FOR
 from app.store.keeping.erasure import UNDO_FOR
+from app.texts import Text
 from app.world.cursor_task import CursorPlan
 from app.world.floorplan import FloorPlan
 from app.world.kinematics import CHAIR_RADIUS
@@ -52,10 +53,10 @@ class MeasureCatalogue(Document):
     test: dict[str, Measure]
     leading: list[LeadingMeasures]  # the first row that fits holds
     leading_of_tests: list[str]
-    reached: str  # what people call the share of trials that reached the goal
-    workload: str  # what people call the mean of the answers after a two-minute test
-    verdicts: dict[Word, str]  # on trials
-    verdicts_of_tests: dict[Word, str]
+    reached: Text  # what people call the share of trials that reached the goal
+    workload: Text  # what people call the mean of the answers after a two-minute test
+    verdicts: dict[Word, Text]  # on trials
+    verdicts_of_tests: dict[Word, Text]
 
 
 class Numbers(Document):

@@ -11,9 +11,9 @@ from app.calibration.prior.map_prior import MapPrior
 from app.calibration.prior.prior_map import find_arrangements
 from app.calibration.profile import CalibrationProfile
 from app.calibration.vocabulary import DriveParameters
+from app.texts import Text
 
-ANEW = "Or go on with the movements that follow: they make a new calibration."
-OTHER_RATE = "The shirt sends at another rate than it was calibrated at: calibrate again."
+OTHER_RATE = Text("calibration-fit-rate")
 
 
 class DonningError(ValueError):
@@ -81,13 +81,11 @@ def _refuse_turned_rings(profile: CalibrationProfile, today: dict[str, Arrangeme
         prior = priors[joint]
         then = {**prior.arrangement, **prior.as_worn}.get(ring, Arrangement())
         if arrangement.mirrored != then.mirrored:
-            raise DonningError(
-                f"At the {labels[joint].lower()} the shirt is inside out or on the other side since this was "
-                f"calibrated: put it on as then, and repeat the free movement. {ANEW}"
-            )
+            raise DonningError(Text("calibration-fit-mirrored", joint=labels[joint].lower()))
         if arrangement.shift != then.shift:
-            turned = (arrangement.shift - then.shift) % len(sensors)
+            count = len(sensors)
+            turned = (arrangement.shift - then.shift) % count
+            places = min(turned, count - turned)
             raise DonningError(
-                f"At the {labels[joint].lower()} the shirt is turned by {min(turned, len(sensors) - turned)} of "
-                f"{len(sensors)} sensors since this was calibrated: turn it back, and repeat the free movement. {ANEW}"
+                Text("calibration-fit-turned", joint=labels[joint].lower(), places=places, sensors=count)
             )

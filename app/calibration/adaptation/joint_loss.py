@@ -2,11 +2,13 @@
 
 from typing import NamedTuple
 
+from app.texts import Text
+
 
 class JointLoss(NamedTuple):
     """What has to change in the map of one joint, and why."""
 
-    message: str  # sentences that say what is lost
+    message: Text  # sentences that say what is lost
     dead_zone: float | None = None  # FS/s that the noise at rest asks for; None: the dead-zone stays
     growth: float | None = None  # ln of the strokes' size over that of the first trials; None: full stays
     turns: bool = False  # whether the direction of the map sees too little of the movement

@@ -30,10 +30,9 @@ from app.calibration.adaptation.proposal_document import JointChange, Proposal, 
 from app.calibration.adaptation.thresholds import Thresholds, full_for, step_thresholds
 from app.calibration.profile import CalibrationProfile, JointMap
 from app.calibration.vocabulary import DriveParameters, Gesture
-from app.number_format import percent
+from app.texts import Figure, Text, in_sequence
 
-ANEW = "calibrate this joint again"
-AT_ITS_END = f"It cannot follow any further: {ANEW}."
+AT_ITS_END = Text("calibration-change-at-end")
 
 
 @dataclass(frozen=True, slots=True)
@@ -65,7 +64,7 @@ class _Turn(NamedTuple):
     weights: Numbers  # (k,) after the turn; the old ones when there is none
     values: dict[str, object]  # fields of JointChange
     values_unturned: dict[str, object]  # fields of JointChange in case the turn is not applied
-    refusal: str  # why the direction may not turn, in one sentence; empty when it may
+    refusal: Text | None  # why the direction may not turn, in one sentence; None when it may
 
 
 def propose(
@@ -170,21 +169,17 @@ def _with_thresholds(parameters: DriveParameters, gesture: Gesture, new: _JointA
     return gesture.model_copy(update={"dead_zone": new.thresholds.dead_zone, "full": new.thresholds.full})
 
 
-def _summary(changes: Sequence[JointChange], trials: int) -> str:
+def _summary(changes: Sequence[JointChange], trials: int) -> Text:
     """Return one sentence on which joints would change."""
     applied = [change.name.replace("_", " ") for change in changes if change.status == "applied"]
     refused = [change.name.replace("_", " ") for change in changes if change.status == "refused"]
-    after = "the last trial" if trials == 1 else f"the last {trials} trials"
+    if applied and refused:
+        return Text("calibration-proposal-some", trials=trials, applied=applied, refused=refused)
     if applied:
-        sentence = f"After {after}, {', '.join(applied)} would change"
-        return f"{sentence}; {', '.join(refused)} may not." if refused else f"{sentence}."
+        return Text("calibration-proposal", trials=trials, applied=applied)
     if refused:
-        return f"After {after}, nothing changes: what {', '.join(refused)} would need may not be done."
-    return (
-        f"After {after}, the calibration fits as well as before, and stays as it is."
-        if trials
-        else "No trial was driven yet."
-    )
+        return Text("calibration-proposal-refused", trials=trials, refused=refused)
+    return Text("calibration-proposal-none", trials=trials) if trials else Text("calibration-proposal-no-trial")
 
 
 def _assess_joint(evidence: _Evidence, joint: JointMap, gesture: Gesture) -> _JointAssessment:
@@ -207,45 +202,44 @@ def _assess_joint(evidence: _Evidence, joint: JointMap, gesture: Gesture) -> _Jo
         return _JointAssessment(_change(values, stop[0], stop[1]), old, now)
     assert loss is not None
     moved = movement_rows(evidence.trials, joint)
-    turn = _turn(evidence, joint, moved) if loss.turns and joint.map == "pca" else _Turn(old, {}, {}, "")
+    turn = _turn(evidence, joint, moved) if loss.turns and joint.map == "pca" else _Turn(old, {}, {}, None)
     values |= turn.values
     turns = not np.array_equal(turn.weights, old)
     thresholds = _thresholds(evidence, joint, gesture, loss, turns=turns)
     sample_rate = evidence.trials[-1].sample_rate
     felt = felt_change(old / now.full, turn.weights / thresholds.full, moved, sample_rate) if len(moved) else 0.0
     if felt >= limits.refuse:
-        sentence = (
-            f"The patient would feel a change of {percent(min(felt, 9.99))}, and from {percent(limits.refuse)} on it "
-            f"is refused: {ANEW}."
-        )
+        share, limit = Figure(100 * min(felt, 9.99)), Figure(100 * limits.refuse)
+        too_much = Text("calibration-change-felt", percent=share, limit=limit)
         values |= turn.values_unturned
         values |= {"felt_change": min(felt, 1e6)}
-        refused = _change(values, "refused", f"{loss.message} {sentence}")
+        refused = _change(values, "refused", in_sequence([loss.message, too_much]))
         return _JointAssessment(refused, old, now)
     values |= {"dead_zone_after": thresholds.dead_zone, "full_after": thresholds.full}
     if turns or thresholds != now or values["range_moved"]:
         values |= {"felt_change": felt, "angle_applied_deg": angle(old, turn.weights) if turns else 0.0}
-        change = _change(values, "applied", "")
-        reason = f"{loss.message} {_reason(change, turn.refusal)}"
+        change = _change(values, "applied", loss.message)
+        reason = in_sequence([loss.message, *_effects(change, turn.refusal)])
         return _JointAssessment(change.model_copy(update={"reason": reason}), turn.weights, thresholds)
-    return _JointAssessment(_change(values, "refused", f"{loss.message} {turn.refusal or AT_ITS_END}"), old, now)
+    refused = _change(values, "refused", in_sequence([loss.message, turn.refusal or AT_ITS_END]))
+    return _JointAssessment(refused, old, now)
 
 
-def _change(values: dict[str, object], status: Status, reason: str) -> JointChange:
+def _change(values: dict[str, object], status: Status, reason: Text) -> JointChange:
     return JointChange.model_validate({**values, "status": status, "reason": reason})
 
 
-def _reason_to_skip(evidence: _Evidence, joint: JointMap, loss: JointLoss | None) -> tuple[Status, str] | None:
+def _reason_to_skip(evidence: _Evidence, joint: JointMap, loss: JointLoss | None) -> tuple[Status, Text] | None:
     """Return status and reason of a joint that is not to be adapted, None for one that is."""
     if not evidence.trials or not evidence.fresh:
-        return "unchanged", "No trial was driven since the calibration last changed."
+        return "unchanged", Text("calibration-change-no-trial")
     if loss is None:
-        return "unchanged", "The calibration fits it as well as before."
+        return "unchanged", Text("calibration-change-none")
     weighed = {channel for channel, weight in zip(joint.channels, joint.pca.rates[0], strict=True) if weight != 0.0}
     broken = sorted(weighed - set(sound_channels(evidence.parameters.profile, joint, evidence.movements)))
     if broken:
         name = evidence.parameters.profile.layout.channel_names[broken[0]]
-        return "refused", f"Sensor {name} is dead or at the end of its range: check the shirt, then calibrate again."
+        return "refused", Text("calibration-change-sensor", sensor=name)
     return None
 
 
@@ -257,7 +251,7 @@ def _turn(evidence: _Evidence, joint: JointMap, moved: Numbers) -> _Turn:
     covariance = exponential_covariance(moved * used, sample_rate) if len(moved) else np.zeros((len(old), len(old)))
     main = principal(covariance, old)
     if main is None or len(moved) < limits.least_movement * sample_rate:
-        return _Turn(old, {}, {}, "")
+        return _Turn(old, {}, {}, None)
     proposed = angle(old, main.weights)
     most = min(limits.per_update_deg, limits.per_trial_deg * evidence.fresh)
     weights = np.where(used, turn_towards(old, main.weights, most), 0.0) if proposed > limits.worth_it_deg else old
@@ -280,16 +274,18 @@ def _turn(evidence: _Evidence, joint: JointMap, moved: Numbers) -> _Turn:
         "evr_after": share_along(covariance, weights),
         "cross_talk_after": talk[1],
     }
-    refusal = ""
+    refusal = None
     if np.array_equal(weights, old):
         pass
     elif main.share < limits.least_evr:
-        refusal = f"Its main movement is clear to only {percent(main.share)}, less than {percent(limits.least_evr)}."
+        share, least = Figure(100 * main.share), Figure(100 * limits.least_evr)
+        refusal = Text("calibration-change-unclear", percent=share, least=least)
     elif away > limits.largest_angle_deg:
-        refusal = f"It would be {away:.0f} degrees away from the calibration: {ANEW}."
+        refusal = Text("calibration-change-away", degrees=Figure(away))
     elif talk[0] is not None and talk[1] is not None and talk[1] > talk[0] + limits.cross_talk_slack:
-        refusal = f"It would answer more to other joints ({percent(talk[0])} before, {percent(talk[1])} after)."
-    return _Turn(old, unturned, unturned, refusal) if refusal else _Turn(weights, values, unturned, "")
+        before_turn, after_turn = Figure(100 * talk[0]), Figure(100 * talk[1])
+        refusal = Text("calibration-change-cross-talk", before=before_turn, after=after_turn)
+    return _Turn(old, unturned, unturned, refusal) if refusal else _Turn(weights, values, unturned, None)
 
 
 def _rates(evidence: _Evidence, joint: JointMap, gesture: Gesture, weights: Numbers) -> list[Numbers]:
@@ -331,21 +327,25 @@ def _cross_talk(evidence: _Evidence, joint: JointMap, gesture: Gesture, weights:
     return max(others) / max(own_mean, 0.05) if own_mean is not None and others else None
 
 
-def _reason(change: JointChange, refusal: str) -> str:
-    """Return one sentence on what is applied to a joint, and why its direction is not turned."""
-    clauses = ["the range in which its sensors are believed follows the shirt"] if change.range_moved else []
+def _effects(change: JointChange, refusal: Text | None) -> list[Text]:
+    """Return sentences on what is applied to a joint, and why its direction is not turned."""
+    effects = [Text("calibration-change-range")] if change.range_moved else []
     if change.angle_applied_deg:
-        proposed = change.angle_proposed_deg or 0.0
-        part = (
-            "" if proposed - change.angle_applied_deg < 0.05 else f" of the {proposed:.1f} that its movements ask for"
-        )
-        clauses.append(f"turned by {change.angle_applied_deg:.1f} degrees{part}")
-    for what, before, after in (
-        ("counts from", change.dead_zone_before, change.dead_zone_after),
-        ("full at", change.full_before, change.full_after),
-    ):
-        if before is not None and after is not None and before != after:
-            clauses.append(f"{what} {percent(after)} / s instead of {percent(before)} / s")
-    unturned = f"; the direction stays: {refusal[0].lower()}{refusal[1:-1]}" if refusal else ""
-    text = f"{'; '.join(clauses)}{unturned}."
-    return text[:1].upper() + text[1:]
+        applied, proposed = Figure(change.angle_applied_deg, 1), Figure(change.angle_proposed_deg or 0.0, 1)
+        if proposed.number - applied.number < 0.05:
+            effects.append(Text("calibration-change-turned", degrees=applied))
+        else:
+            effects.append(Text("calibration-change-turned-part", degrees=applied, proposed=proposed))
+    if change.dead_zone_before != change.dead_zone_after:
+        thresholds = _per_second(change.dead_zone_before, change.dead_zone_after)
+        effects.append(Text("calibration-change-from", **thresholds))
+    if change.full_before != change.full_after:
+        effects.append(Text("calibration-change-full", **_per_second(change.full_before, change.full_after)))
+    if refusal is not None:
+        effects += [Text("calibration-change-unturned"), refusal]
+    return effects
+
+
+def _per_second(before: float | None, after: float | None) -> dict[str, Figure]:
+    """Return thresholds (FS/s) in percent a second."""
+    return {"before": Figure(100 * (before or 0.0)), "after": Figure(100 * (after or 0.0))}

@@ -5,6 +5,7 @@ from typing import Literal
 from app.calibration.vocabulary import DriveParameters
 from app.json_values import JsonDocument
 from app.quantities import Document
+from app.stored_text import StoredText
 
 Status = Literal["applied", "refused", "unchanged"]
 
@@ -27,7 +28,7 @@ class JointChange(Document):
     full_after: float | None = None
     range_moved: bool = False  # whether the range that S5 checks was shifted to the shirt's present levels
     status: Status
-    reason: str
+    reason: StoredText
 
 
 class Proposal(Document):
@@ -43,4 +44,4 @@ class Proposal(Document):
     warns: bool  # whether the felt change is 5 % or more
     parameters: DriveParameters | None  # None when nothing changes
     difference: JsonDocument  # from the parent version, kept with the new version
-    reason: str  # one sentence
+    reason: StoredText

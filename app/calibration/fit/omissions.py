@@ -8,6 +8,7 @@ from app.calibration.channel_quality import ChannelQuality, channel_quality, wor
 from app.calibration.fit.repetitions import Repetition
 from app.calibration.gaps import Frames, bridge_gaps, fill_forward, why_missing
 from app.layout import ShirtLayout
+from app.texts import Text
 
 # Conditions that the short prompts can show; noise is measured in the longer free movement.
 PROMPT_CONDITIONS = {"near", "railed", "flat", "nan"}
@@ -22,7 +23,7 @@ def channels_left_out(
     repetitions: Sequence[Repetition],
     unused: Collection[str],
     full_scale: float | None,
-) -> dict[str, str]:
+) -> dict[str, Text]:
     """Return the names of the channels to leave out of the map, each with the reason in words.
 
     A channel is kept with gaps of at most 0.2 s and at most 1 % of missing samples in the data that its joint is fitted
@@ -62,15 +63,15 @@ def channels_left_out(
         for i in poor:
             if second[i].condition != "nan":
                 quality[i] = second[i]
-    left_out: dict[str, str] = {}
+    left_out: dict[str, Text] = {}
     for indices in groups.values():
         best_left = any(quality[i].condition == "good" and names[i] not in unused for i in indices)
         for i in indices:
             name = names[i]
             if name in unused:
-                left_out[name] = "marked as unused"
-            elif _is_bad(quality[i], best_left):
-                left_out[name] = quality[i].message
+                left_out[name] = Text("calibration-channel-unused")
+            elif (message := quality[i].message) is not None and _is_bad(quality[i], best_left):
+                left_out[name] = message
     return left_out
 
 

@@ -15,6 +15,7 @@ from app.calibration.grades import JointMeasurements, grade
 from app.calibration.linear_map import LinearMap
 from app.calibration.profile import CalibrationProfile, JointMap
 from app.clock import utc_now
+from app.texts import Text
 
 NOISE_BLOCK = 0.5  # s
 QUIET_SHARE = 0.25  # of the blocks that are taken as free of movement: also free movement has its pauses
@@ -42,10 +43,7 @@ def fit_profile(recording: CleanRecording) -> CalibrationProfile:
         if used and moved[:, list(used)].var(axis=0).any()  # 0 also where squares underflow
     }
     if not fitted:
-        raise ValueError(
-            f"no joint of '{layout.name}' has a sensor that can be used: check that the shirt is connected and "
-            f"that somebody moved in it"
-        )
+        raise ValueError(Text("calibration-no-joint", layout=layout.name))
     matrix = _cross_talk(fitted, repetitions, sample_rate)
     pieces = [moved, *(repetition.values for repetition in repetitions)]
     joints = tuple(
@@ -73,14 +71,10 @@ def fit_profile(recording: CleanRecording) -> CalibrationProfile:
     )
 
 
-def joints_without_map(profile: CalibrationProfile) -> dict[str, str]:
+def joints_without_map(profile: CalibrationProfile) -> dict[str, Text]:
     """Return the layout's joints that the profile has no map for, each with the reason and what to do."""
     mapped = {joint.name for joint in profile.joints}
-    return {
-        name: "None of its sensors can be used: check them on the Shirt page, then repeat the calibration."
-        for name in profile.layout.joint_names
-        if name not in mapped
-    }
+    return {name: Text("calibration-no-sensor") for name in profile.layout.joint_names if name not in mapped}
 
 
 def _cross_talk(

@@ -13,15 +13,16 @@ from app.calibration.gestures.numbers import Companion, FoundGesture, ratios, sc
 from app.calibration.gestures.suggestion import Shares, SuggestedVocabulary, suggest_vocabulary
 from app.calibration.profile import CalibrationProfile
 from app.quantities import Document
+from app.texts import Text
 
 
 class Discovery(Document):
     """All gestures, the best first, and the vocabulary suggested from them."""
 
     source: Literal["recordings", "profile"]
-    message: str  # one sentence on missing data; empty when nothing is missing
+    message: Text | None  # one sentence on missing data; None when nothing is missing
     gestures: tuple[FoundGesture, ...]
-    not_found: dict[str, str]  # joints without a map, with the reason and what to do
+    not_found: dict[str, Text]  # joints without a map, with the reason and what to do
     suggestion: SuggestedVocabulary
 
 
@@ -62,10 +63,10 @@ def discover(profile: CalibrationProfile, runs: Sequence[CuedRun]) -> Discovery:
                 )
             )
         )
-    return _discovery(profile, gestures, shares, "recordings", "")
+    return _discovery(profile, gestures, shares, "recordings", None)
 
 
-def discovery_from_profile(profile: CalibrationProfile, sentence: str) -> Discovery:
+def discovery_from_profile(profile: CalibrationProfile, sentence: Text) -> Discovery:
     """Rank the gestures by the numbers in the profile where there are no recordings; `sentence` say why there are none.
 
     The profile knows the prompted direction only: its cross-talk is that of the prompted movements without the ways
@@ -110,7 +111,7 @@ def _discovery(
     gestures: Sequence[FoundGesture],
     shares: Mapping[str, Shares],
     source: Literal["recordings", "profile"],
-    sentence: str,
+    sentence: Text | None,
 ) -> Discovery:
     return Discovery(
         source=source,

@@ -5,12 +5,12 @@ from collections.abc import Mapping, Sequence
 from itertools import combinations
 
 from app.calibration.gestures.numbers import WORST_RATIO, FoundGesture, ratios
-from app.calibration.grades import CROSS_TALK_LIMIT, signal_word
+from app.calibration.grades import CROSS_TALK_LIMIT, signal_strength
 from app.calibration.profile import CalibrationProfile
 from app.calibration.vocabulary import Binding, Control, Gesture
 from app.messages import MAX_GESTURES
-from app.number_format import percent
 from app.quantities import Document
+from app.texts import Figure, Text, in_sequence
 
 FORWARD_PART = "elbow"  # the paper drives forward and back with the elbows, and turns with the shoulders
 EQUAL_COST = 0.1  # smaller differences are chance
@@ -28,7 +28,7 @@ class SuggestedVocabulary(Document):
 
     gestures: tuple[Gesture, ...]
     bindings: tuple[Binding, ...]
-    reason: str
+    reason: Text
 
 
 class _Costs:
@@ -102,7 +102,13 @@ def suggest_vocabulary(
     return SuggestedVocabulary(
         gestures=_gestures(gestures, chosen),
         bindings=tuple(bindings),
-        reason=_reason_of(chosen, costs.cross_talk(chosen)) + _left_out(candidates, chosen, costs),
+        reason=in_sequence(
+            [
+                *_reasons_of(chosen, costs.cross_talk(chosen)),
+                *_forecast(chosen),
+                *_left_out(candidates, chosen, costs),
+            ]
+        ),
     )
 
 
@@ -179,51 +185,53 @@ def _gestures(gestures: Sequence[FoundGesture], chosen: Sequence[FoundGesture]) 
     )
 
 
-def _reason_of(chosen: Sequence[FoundGesture], cross_talk: float | None) -> str:
-    names = ", ".join(gesture.joint if gesture.direction == 1 else f"{gesture.joint} going back" for gesture in chosen)
-    weakest = min(gesture.signal_to_noise for gesture in chosen)
-    sentence = f"Suggested: {names}. The weakest of them has a {signal_word(weakest)} signal"
+def _reasons_of(chosen: Sequence[FoundGesture], cross_talk: float | None) -> list[Text]:
+    names = [
+        gesture.joint if gesture.direction == 1 else Text("calibration-gesture-back", joint=gesture.joint)
+        for gesture in chosen
+    ]
+    signal = signal_strength(min(gesture.signal_to_noise for gesture in chosen))
+    suggested = Text("calibration-suggested", gestures=names)
     if len(chosen) == 1:
-        sentence += "."
-    elif cross_talk is None:
-        sentence += "; nothing was prompted, so it is not known what moves along."
-    else:
-        sentence += f"; on average {percent(cross_talk)} of another's activation appears while one moves."
-    return sentence + _forecast(chosen)
+        return [suggested, Text("calibration-suggested-one", signal=signal)]
+    if cross_talk is None:
+        return [suggested, Text("calibration-suggested-unprompted", signal=signal)]
+    return [suggested, Text("calibration-suggested-several", signal=signal, percent=Figure(100 * cross_talk))]
 
 
-def _left_out(candidates: Sequence[FoundGesture], chosen: Sequence[FoundGesture], costs: _Costs) -> str:
+def _left_out(candidates: Sequence[FoundGesture], chosen: Sequence[FoundGesture], costs: _Costs) -> list[Text]:
     """Return sentences on the joints that come with a chosen gesture, when fewer than four could be chosen."""
     if len(chosen) >= 4:
-        return ""
-    sentences = ""
+        return []
+    sentences = []
     for joint in dict.fromkeys(gesture.joint for gesture in candidates):
         if all(gesture.joint != joint for gesture in chosen):
             gestures = [gesture for gesture in candidates if gesture.joint == joint]
             share, partner = min(
                 max((costs.together(gesture, other), other.joint) for other in chosen) for gesture in gestures
             )
-            sentences += (
-                f" {joint} is left out: it comes with {partner} ({percent(min(share, 9.99))} of its activation)."
-            )
+            together = Figure(100 * min(share, 9.99))
+            sentences.append(Text("calibration-suggested-without", joint=joint, partner=partner, percent=together))
     return sentences
 
 
-def _forecast(chosen: Sequence[FoundGesture]) -> str:
+def _forecast(chosen: Sequence[FoundGesture]) -> list[Text]:
     """Return sentences on the predicted hit rate and false activations, and on the bound that the rest proves."""
     forecasts = [gesture.prediction for gesture in chosen if gesture.prediction is not None]
     hits = [forecast.hit_rate for forecast in forecasts if forecast.hit_rate is not None]
     rates = [forecast.false_per_minute for forecast in forecasts if forecast.false_per_minute is not None]
     bounds = [forecast.counted_at_most for forecast in forecasts if forecast.counted_at_most is not None]
-    sentences = ""
+    sentences = []
     if hits:
-        sentences += f" At least {math.floor(100 * min(hits))} of 100 movements should be answered."
+        sentences.append(Text("calibration-suggested-hits", hits=math.floor(100 * min(hits))))
     if rates:
         together = math.fsum(rates)
-        expected = f"{together:.1f}" if together >= LEAST_SAID else f"fewer than {LEAST_SAID:g}"
-        seconds = min(forecast.rest_seconds for forecast in forecasts)
-        sentences += (
-            f" At rest, {expected} false activations a minute are expected of all of them together; "
-            f"{seconds:.0f} s of rest prove only fewer than {max(bounds):.0f} of each (95 %)."
-        )
+        proven = {
+            "seconds": Figure(min(forecast.rest_seconds for forecast in forecasts)),
+            "bound": Figure(max(bounds)),
+        }
+        if together >= LEAST_SAID:
+            sentences.append(Text("calibration-suggested-false", rate=Figure(together, 1), **proven))
+        else:
+            sentences.append(Text("calibration-suggested-hardly-false", rate=LEAST_SAID, **proven))
     return sentences

@@ -17,7 +17,7 @@ from app.calibration.guided.labels import CuedMovement, labels, lags_of
 from app.calibration.linear_map import KINDS, RATE_LAGS, LinearMap, MapCheck, map_parts
 from app.calibration.profile import CalibrationProfile, JointMap
 from app.calibration.ridge import ridge
-from app.number_format import amount
+from app.texts import Text
 
 LARGEST_WEIGHT = 1e12  # FS per signal unit, as `app.quantities.Finite`
 FEWEST = 3  # repetitions: one is held out, and two are fitted to
@@ -33,14 +33,18 @@ Array = NDArray[np.float64]
 
 
 class GuidedMapError(Exception):
-    """A joint can have no guided map; the message says in one sentence why, and what to do."""
+    """A joint can have no guided map; the reason says in one sentence why, and what to do."""
+
+    def __init__(self, reason: Text) -> None:
+        super().__init__(reason)
+        self.reason = reason
 
 
 class GuidedFit(NamedTuple):
     """A profile with guided maps where one could be fitted."""
 
     profile: CalibrationProfile
-    reasons: dict[str, str]  # joint without a guided map -> why
+    reasons: dict[str, Text]  # joint without a guided map -> why
 
 
 @dataclass(frozen=True, slots=True)
@@ -82,7 +86,7 @@ def with_guided_maps(profile: CalibrationProfile, recording: CleanRecording) -> 
             joints.append(joint.model_copy(update={"guided": guided}))
         except GuidedMapError as error:
             joints.append(joint)
-            reasons[joint.name] = str(error)
+            reasons[joint.name] = error.reason
     return GuidedFit(profile.model_copy(update={"joints": tuple(joints)}), reasons)
 
 
@@ -91,14 +95,9 @@ def _guided_map(joint: JointMap, stretches: Sequence[Stretch], rest: Array | Non
     pieces = [_piece(joint, stretch, sample_rate) for stretch in stretches]
     count = sum(len(piece.cued) for piece in pieces)
     if not joint.prompted or count == 0:
-        raise GuidedMapError(
-            "Nothing is learnt from cues, because its movement was never prompted: prompt it three times."
-        )
+        raise GuidedMapError(Text("calibration-guided-unprompted"))
     if count < FEWEST:
-        raise GuidedMapError(
-            f"Nothing is learnt from {amount(count, 'prompted repetition')}: prompt at least {FEWEST}, "
-            f"so that it can be judged on one that it has not seen."
-        )
+        raise GuidedMapError(Text("calibration-guided-few", count=count, least=FEWEST))
     pieces = [piece for piece in pieces if piece.cued]
     lags = [lags_of(piece.pca, piece.cued, sample_rate) for piece in pieces]
     for _ in range(ALIGNMENTS):
@@ -113,10 +112,7 @@ def _guided_map(joint: JointMap, stretches: Sequence[Stretch], rest: Array | Non
         sample_rate,
     )
     if (data.label == 0).sum() < SHORTEST_REST * sample_rate:
-        raise GuidedMapError(
-            f"Nothing is learnt from cues, because it is nowhere at rest for {SHORTEST_REST:g} s in all: record a "
-            f"rest, or leave pauses between the prompted movements."
-        )
+        raise GuidedMapError(Text("calibration-guided-no-rest", seconds=SHORTEST_REST))
     pca_check = check(data.pca, data.label, data.repetition, joint.pca.dead_zone, joint.pca.full, sample_rate)
     regression = _Regression(data)
     candidates = [_candidate(data, regression, level, joint, pca_check, sample_rate) for level in LEVEL_RIDGES]
@@ -124,9 +120,7 @@ def _guided_map(joint: JointMap, stretches: Sequence[Stretch], rest: Array | Non
     chosen = next(candidate for candidate in candidates if candidate.check.in_phase >= best - LEVELS_MUST_GAIN)
     weights = chosen.weights
     if np.abs(weights).max() > LARGEST_WEIGHT:
-        raise GuidedMapError(
-            "Nothing is learnt from cues, because the signals are too small: give them in a smaller unit."
-        )
+        raise GuidedMapError(Text("calibration-guided-small"))
     return LinearMap(
         **map_parts(weights.reshape(KINDS, -1).tolist()),
         dead_zone=chosen.dead_zone,
@@ -223,9 +217,7 @@ def _candidate(
     moving = held_out[data.label > 0]
     strong = float(np.percentile(moving, 90))
     if strong <= 0.0:
-        raise GuidedMapError(
-            "Nothing is learnt from cues: the repetitions have nothing in common, so repeat the prompts."
-        )
+        raise GuidedMapError(Text("calibration-guided-unlike"))
     scale = joint.pca.full / strong
     held_out = held_out * scale
     resting = held_out[data.repetition < 0]

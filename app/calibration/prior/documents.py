@@ -13,6 +13,7 @@ from app.calibration.prior.moments import Moments
 from app.calibration.profile import CalibrationProfile
 from app.layout import MAX_CHANNELS, ShirtLayout
 from app.quantities import Document, Finite, Name
+from app.texts import Text
 
 FEWEST_PEOPLE = 4  # whose map is used for somebody else: with two, the worst person had a third of it out of phase
 FEWEST_RELEASED = 8  # people whose sum may leave a clinic: the moments of one person alone identify that person
@@ -62,7 +63,7 @@ class MomentsDocument(PriorPart):
     def _sizes_agree(self) -> Self:
         d = len(self.moment)
         if len(self.stroke_mean) != d or {len(self.gram), len(self.stroke_gram)} != {d * (d + 1) // 2} or d % KINDS:
-            raise ValueError("the moments do not fit together: make the entry again with `bodydrive prior add`")
+            raise ValueError(Text("calibration-prior-moments"))
         return self
 
 
@@ -99,7 +100,7 @@ class RingDocument(PriorPart):
     def _sizes_agree(self) -> Self:
         k = len(self.logs)
         if len(self.logs_squared) != k or {len(self.pairs), len(self.pairs_squared)} != {k * (k - 1) // 2}:
-            raise ValueError("the ring's numbers do not fit together: make the entry again with `bodydrive prior add`")
+            raise ValueError(Text("calibration-prior-ring"))
         return self
 
 
@@ -178,11 +179,12 @@ class OwnPrior(PriorPart):
     @model_validator(mode="after")
     def _entries_fit_the_layout(self) -> Self:
         for code, entry in self.people.items():
+            where = Text("calibration-prior-entry", code=code)
             for name, joint in entry.joints.items():
                 sizes = {len(joint.alive), len(joint.logs), len(joint.moments.moment) // KINDS}
-                _check_size(self.layout, f"the entry of '{code}'", name, sizes)
+                _check_size(self.layout, where, name, sizes)
             for name, ring in entry.rings.items():
-                _check_ring(self.layout, f"the entry of '{code}'", name, len(ring.logs))
+                _check_ring(self.layout, where, name, len(ring.logs))
         return self
 
     def with_person(self, code: str, entry: PersonEntry) -> "OwnPrior":
@@ -215,11 +217,12 @@ class ReleasedPrior(PriorPart):
 
     @model_validator(mode="after")
     def _sums_fit_the_layout(self) -> Self:
+        where = Text("calibration-prior-release")
         for name, joint in self.joints.items():
             sizes = {len(joint.alive), len(joint.logs), len(joint.moments.moment) // KINDS}
-            _check_size(self.layout, "the release", name, sizes)
+            _check_size(self.layout, where, name, sizes)
         for name, ring in self.rings.items():
-            _check_ring(self.layout, "the release", name, len(ring.logs))
+            _check_ring(self.layout, where, name, len(ring.logs))
         return self
 
 
@@ -261,13 +264,13 @@ def _symmetric(triangle: tuple[float, ...], size: int | None = None) -> Array:
     return matrix
 
 
-def _check_size(layout: ShirtLayout, where: str, joint: str, sizes: set[int]) -> None:
+def _check_size(layout: ShirtLayout, where: Text, joint: str, sizes: set[int]) -> None:
     if joint not in layout.joint_names:
-        raise ValueError(f"{where} names joint '{joint}', which '{layout.name}' does not have")
+        raise ValueError(Text("calibration-prior-unknown-joint", where=where, joint=joint, layout=layout.name))
     if sizes != {len(layout.channels_of_joint[joint])}:
-        raise ValueError(f"{where} does not have one number for each channel of joint '{joint}': add it again")
+        raise ValueError(Text("calibration-prior-size", where=where, joint=joint))
 
 
-def _check_ring(layout: ShirtLayout, where: str, ring: str, size: int) -> None:
+def _check_ring(layout: ShirtLayout, where: Text, ring: str, size: int) -> None:
     if len(layout.rings.get(ring, ())) != size:
-        raise ValueError(f"{where} has {size} sensors in ring '{ring}', and '{layout.name}' has another number")
+        raise ValueError(Text("calibration-prior-ring-size", where=where, count=size, ring=ring, layout=layout.name))

@@ -11,6 +11,7 @@ from app.calibration.prior.documents import JointEntry, MomentsDocument, PersonE
 from app.calibration.prior.frames import prompted_frames
 from app.calibration.prior.moments import Moments, mean_of
 from app.calibration.prior.scale import MOVEMENT, first_movement, log_ranges, scales
+from app.texts import Figure, Text
 
 Array = NDArray[np.float64]
 
@@ -27,10 +28,8 @@ def person_entry(recordings: Sequence[CleanRecording]) -> PersonEntry:
     started = [first_movement(recording.free, recording.sample_rate) for recording in recordings]
     for recording, free in zip(recordings, started, strict=True):
         if free is None:
-            raise ValueError(
-                f"there are {len(recording.free) / recording.sample_rate:.1f} s of movement, "
-                f"and the scale of the channels needs {MOVEMENT:g} s: record longer"
-            )
+            seconds = Figure(len(recording.free) / recording.sample_rate, 1)
+            raise ValueError(Text("calibration-prior-short", seconds=seconds, least=MOVEMENT))
     moved = [free for free in started if free is not None]
     out = {name for recording in recordings for name in recording.left_out}
     joints = {}
@@ -40,7 +39,7 @@ def person_entry(recordings: Sequence[CleanRecording]) -> PersonEntry:
         if entry is not None:
             joints[joint] = entry
     if not joints:
-        raise ValueError("no joint was prompted and has a channel that can be used: prompt it, or check the shirt")
+        raise ValueError(Text("calibration-prior-no-joint"))
     rings = {}
     for ring, sensors in layout.rings.items():
         if not any(layout.channels[i].name in out for i in sensors):

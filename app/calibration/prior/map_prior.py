@@ -20,6 +20,7 @@ from app.calibration.prior.documents import (
 )
 from app.calibration.prior.moments import Moments
 from app.layout import ShirtLayout
+from app.texts import Text
 
 Array = NDArray[np.float64]
 
@@ -121,16 +122,16 @@ def union_of_people(documents: Iterable[PriorDocument]) -> OwnPrior:
     released = ReleasedPeople()
     for document in documents:
         if not isinstance(document, OwnPrior):
-            raise PriorError("a release holds sums and no entries of people: merge it without --own")
+            raise PriorError(Text("calibration-prior-release-own"))
         check_layout(document.layout, layout or document.layout)
         layout = layout if layout is not None and layout.rings else document.layout
         for code, entry in document.people.items():
             if people.get(code, entry) != entry:
-                raise PriorError(f"two of them have different entries for the person '{code}': give one another code")
+                raise PriorError(Text("calibration-prior-two-entries", code=code))
             people[code] = entry
         released += document.released
     if layout is None:
-        raise PriorError("there is no prior to merge: name at least one")
+        raise PriorError(Text("calibration-prior-none"))
     return OwnPrior(layout=layout, people=people, released=released)
 
 
@@ -141,10 +142,7 @@ def check_layout(first: ShirtLayout, second: ShirtLayout) -> None:
     """
     rings_differ = first.rings and second.rings and first.rings != second.rings
     if layout_key(first) != layout_key(second) or rings_differ:
-        raise PriorError(
-            f"the layouts '{first.name}' and '{second.name}' have other channels, joints or rings: each shirt needs a "
-            f"prior of its own"
-        )
+        raise PriorError(Text("calibration-prior-layouts", first=first.name, second=second.name))
 
 
 def layout_key(layout: ShirtLayout) -> tuple[tuple[str, str], ...]:

@@ -6,6 +6,7 @@ from pydantic import TypeAdapter, ValidationError
 
 from app.calibration.prior.documents import PriorDocument
 from app.sentences import one_sentence
+from app.texts import Text
 
 PRIOR: TypeAdapter[PriorDocument] = TypeAdapter(PriorDocument)
 
@@ -17,6 +18,6 @@ def read_prior(path: Path) -> PriorDocument:
     except ValidationError as error:
         raise ValueError(one_sentence(error, str(path))) from error
     except FileNotFoundError as error:
-        raise ValueError(f"{path}: there is no such prior, check its name") from error
+        raise ValueError(Text("calibration-prior-no-file", file=str(path))) from error
     except OSError as error:
-        raise ValueError(f"{path}: this prior cannot be read ({error.strerror}), check it") from error
+        raise ValueError(Text("calibration-prior-unreadable", file=str(path), problem=str(error.strerror))) from error

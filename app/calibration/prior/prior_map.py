@@ -30,8 +30,9 @@ from app.calibration.prior.solving import OwnFrames, solve, thresholds
 from app.calibration.profile import CalibrationProfile, JointMap
 from app.calibration.script import REPETITIONS
 from app.layout import ShirtLayout
+from app.texts import Text
 
-DIRECTED = "It was not prompted: which way its movement counts is known from other people."
+DIRECTED = Text("grade-directed")
 LARGEST_WEIGHT = 1e12  # FS per signal unit, as `app.quantities.Finite`
 FREE_PERCENTILE = 97.0  # of the rate of free movement: its quick movements peak there
 LEAST_FULL = 1.2  # of the dead-zone: a movement that hardly leaves it is not full at once
@@ -105,14 +106,18 @@ def _expected_false(held_out: Array, frames: OwnFrames, dead_zone: float, sample
 
 
 class PriorMapError(Exception):
-    """A joint can have no map from other people; the message says in one sentence why, and what to do."""
+    """A joint can have no map from other people; the reason says in one sentence why, and what to do."""
+
+    def __init__(self, reason: Text) -> None:
+        super().__init__(reason)
+        self.reason = reason
 
 
 class PriorFit(NamedTuple):
     """A profile with maps from other people where they could be made."""
 
     profile: CalibrationProfile
-    reasons: dict[str, str]  # joint without such a map -> why
+    reasons: dict[str, Text]  # joint without such a map -> why
     arrangement: dict[str, Arrangement]  # ring -> its detected arrangement
 
 
@@ -198,7 +203,7 @@ def with_prior_maps(
             joints.append(_joint(joint, prior, recording, rings))
         except PriorMapError as error:
             joints.append(joint)
-            reasons[joint.name] = str(error)
+            reasons[joint.name] = error.reason
     return PriorFit(profile.model_copy(update={"joints": tuple(joints)}), reasons, of_layout)
 
 
@@ -221,10 +226,7 @@ def _joint(
     people = prior.joints.get(joint.name)
     if people is None or people.people < FEWEST_PEOPLE:
         count = 0 if people is None else people.people
-        raise PriorMapError(
-            f"Other people's movements say nothing yet: {count} of them {'is' if count == 1 else 'are'} known for this "
-            f"joint, and {FEWEST_PEOPLE} are needed."
-        )
+        raise PriorMapError(Text("calibration-prior-few", count=count, needed=FEWEST_PEOPLE))
     rate, moved, layout = recording.sample_rate, recording.free, recording.layout
     used = _used_channels(joint, people, moved, rings.used, layout, rate)
     others = people.mean.of_channels(used.places)
@@ -232,7 +234,7 @@ def _joint(
     weights = solve(others, rate, frames)
     dead_zone, full_of_others = thresholds(weights, others)
     if not full_of_others > 0.0:
-        raise PriorMapError("Other people's movements have nothing in common with each other: add more people.")
+        raise PriorMapError(Text("calibration-prior-unlike"))
     in_free = features(moved[:, list(used.channels)] / used.scale, rate)
     held_out = None if frames is None else _held_out_rate(frames, others, rate)
     peaks = own_peaks(in_free @ weights, dead_zone, held_out, frames)
@@ -243,7 +245,7 @@ def _joint(
         joint = joint.with_direction([-part for part in joint.direction])
     per_unit = _per_unit(weights * in_fs, used, joint)
     if np.abs(per_unit).max() > LARGEST_WEIGHT:
-        raise PriorMapError("The signals are too small: give them in a smaller unit.")
+        raise PriorMapError(Text("calibration-prior-small"))
     lowest = max(dead_zone * in_fs, LEAST_PRIOR_SHARE * full)
     fitted = LinearMap(
         **map_parts(per_unit.tolist()),
@@ -266,7 +268,7 @@ def _joint(
             "pca_check": _check(pca, frames, joint.pca.dead_zone, full, rate),
         }
     fitted = fitted.model_copy(update=update)
-    reason = joint.reason.replace(UNPROMPTED, DIRECTED)
+    reason = tuple(DIRECTED if sentence == UNPROMPTED else sentence for sentence in joint.reason)
     return joint.model_copy(update={"prior": fitted, "reason": reason})
 
 
@@ -298,9 +300,7 @@ def _used_channels(
         logs[usable] = measured[usable]
         alive[usable] = channels_alive(measured[usable], expected[usable])
     if not alive.any():
-        raise PriorMapError(
-            "None of the sensors that other people are known for moves on this person: move freely for ten seconds."
-        )
+        raise PriorMapError(Text("calibration-prior-still"))
     level = expected.copy()
     level[~used_by_others] = expected[used_by_others].mean()
     return _UsedChannels(

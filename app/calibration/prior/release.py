@@ -21,6 +21,7 @@ from app.calibration.prior.documents import (
     rounded,
 )
 from app.calibration.prior.map_prior import JointPrior, MapPrior, PriorError, sums_of, union_of_people
+from app.texts import Text
 
 Part = TypeVar("Part")
 
@@ -100,16 +101,11 @@ def _sums_over(prior: OwnPrior, people: ReleasedPeople) -> MapPrior:
     return MapPrior(prior.layout, *sums_of(chosen))
 
 
-def _too_few(prior: OwnPrior) -> str:
+def _too_few(prior: OwnPrior) -> Text:
     count = len(prior.people)
-    everybody = f"together they hold {count} {'person' if count == 1 else 'people'}"
     if any(prior.released.joints.values()):
-        return (
-            f"{everybody}, of whom fewer than {FEWEST_RELEASED} are in no release yet: use the earlier release, and "
-            f"make another one when at least {FEWEST_RELEASED} people have been added, so that nobody can be found by "
-            f"subtracting one from the other"
-        )
-    return f"{everybody}, and only sums over at least {FEWEST_RELEASED} may leave a clinic: add more people"
+        return Text("calibration-prior-few-new", count=count, least=FEWEST_RELEASED)
+    return Text("calibration-prior-few-released", count=count, least=FEWEST_RELEASED)
 
 
 def _joint_sums(joint: JointPrior) -> JointSums:

@@ -128,16 +128,17 @@ def _title(name: str) -> str:
     return str(Text(f"cli-joints-{name}"))
 
 
-def _summary(profile: "CalibrationProfile", reasons: dict[str, str], out: Path) -> dict[str, object]:
+def _summary(profile: "CalibrationProfile", reasons: "dict[str, Text]", out: Path) -> dict[str, object]:
     """Return the object of `--json`; a joint without a map has a reason, but no numbers."""
     from app.calibration.fit.profile_fit import joints_without_map
 
     without = {
-        name: {**dict.fromkeys(PRINTED), "has_to_be_repeated": True, "reason": reason}
+        name: {**dict.fromkeys(PRINTED), "has_to_be_repeated": True, "reason": str(reason)}
         for name, reason in joints_without_map(profile).items()
     }
     mapped = {
         joint.name: {name: getattr(joint, name) for name in PRINTED[: -len(THRESHOLDS)]}
+        | {"reason": str(joint.description)}
         | dict(zip(THRESHOLDS, joint.thresholds, strict=True))
         for joint in profile.joints
     }
@@ -146,7 +147,7 @@ def _summary(profile: "CalibrationProfile", reasons: dict[str, str], out: Path) 
 
 
 def _report(
-    profile: "CalibrationProfile", reasons: dict[str, str], out: Path, expected: Mapping[str, tuple[Text, Text]]
+    profile: "CalibrationProfile", reasons: "dict[str, Text]", out: Path, expected: Mapping[str, tuple[Text, Text]]
 ) -> str:
     """Return a table for people: one line per joint, then the reasons, then the file of the profile.
 
@@ -170,7 +171,7 @@ def _report(
     no_figures = "  ".join(f"{'-':>{size}}" for size in (6, 10, 18, 18, 11, 9))
     lines += [f"{name:{width}}  {no_figures}  -" for name in without]
     lines += ["", str(Text("cli-calibrate-clear-means")), str(Text("cli-calibrate-expected-means")), ""]
-    lines += [_named(joint.name, joint.reason) for joint in profile.joints]
+    lines += [_named(joint.name, joint.description) for joint in profile.joints]
     lines += [_named(name, reason) for name, reason in without.items()]
     lines += [
         str(Text("cli-channel-left-out", channel=name, reason=reason)) for name, reason in profile.left_out.items()
@@ -203,8 +204,8 @@ def _cells(gesture: "FoundGesture") -> list[object]:
     forecast = gesture.prediction
     return [
         f"{gesture.score:.2f}",
-        signal_word(gesture.signal_to_noise),
-        "-" if gesture.repeatability is None else repeats_word(gesture.repeatability),
+        str(signal_word(gesture.signal_to_noise)),
+        "-" if gesture.repeatability is None else str(repeats_word(gesture.repeatability)),
         _share(gesture.cross_talk),
         _share(gesture.effort),
         "-" if forecast is None or forecast.false_per_minute is None else f"{forecast.false_per_minute:.1f}",
@@ -232,13 +233,13 @@ def _prior_report(prior_fit: "PriorFit") -> list[Text]:
     return joints + [_ring_sentence(ring, arrangement) for ring, arrangement in prior_fit.arrangement.items()]
 
 
-def _prior_facts(joint: "JointMap", reasons: dict[str, str]) -> dict[str, object]:
+def _prior_facts(joint: "JointMap", reasons: "dict[str, Text]") -> dict[str, object]:
     prior = joint.prior
     if prior is None:
-        return {"offered": False, "reason": reasons[joint.name]}
+        return {"offered": False, "reason": str(reasons[joint.name])}
     return {
         "offered": prior.is_better,
-        "source": prior.source,
+        "source": str(prior.source),
         "people": prior.people,
         "repetitions": prior.repetitions,
         "dropped": list(prior.dropped),
@@ -255,7 +256,7 @@ def _forecast(forecast: "Forecast | None") -> object:
     return "not known" if forecast is None else forecast.model_dump(mode="json")
 
 
-def _joint_sentence(joint: "JointMap", reasons: dict[str, str]) -> Text:
+def _joint_sentence(joint: "JointMap", reasons: "dict[str, Text]") -> Text:
     prior = joint.prior
     if prior is None:
         return Text("cli-named", name=joint.name, text=reasons[joint.name])
@@ -288,8 +289,8 @@ def _ring_sentence(ring: str, arrangement: "Arrangement") -> Text:
 def choose(
     profile: "CalibrationProfile",
     chosen: MapChoice,
-    reasons: dict[str, str],
-    prior_reasons: dict[str, str] | None = None,
+    reasons: "dict[str, Text]",
+    prior_reasons: "dict[str, Text] | None" = None,
 ) -> "tuple[CalibrationProfile, list[Text]]":
     """Return the profile with the chosen map of each joint, and a sentence for each joint without it.
 
@@ -326,10 +327,10 @@ def _map_of(joint: "JointMap", chosen: MapChoice) -> "MapKind":
     return joint.best_map if chosen == "best" else "pca"
 
 
-def checks(joint: "JointMap", reasons: dict[str, str]) -> dict[str, object]:
+def checks(joint: "JointMap", reasons: "dict[str, Text]") -> dict[str, object]:
     """Return the map in use and the checks of both maps, or the reason why there is no guided map."""
     if joint.guided is None:
-        return {"map": joint.map, "offered": False, "reason": reasons[joint.name]}
+        return {"map": joint.map, "offered": False, "reason": str(reasons[joint.name])}
     guided = joint.guided
     return {
         "map": joint.map,
@@ -348,7 +349,7 @@ def _check_facts(check: "MapCheck | None") -> object:
     return None if check is None else check.model_dump(mode="json")
 
 
-def comparison(profile: "CalibrationProfile", reasons: dict[str, str], width: int) -> list[str]:
+def comparison(profile: "CalibrationProfile", reasons: "dict[str, Text]", width: int) -> list[str]:
     """Return the table of both maps on the held-out repetitions, then the reasons for missing guided maps."""
     both = [(joint.name, joint.guided) for joint in profile.joints if joint.guided]
     lines = []

@@ -81,7 +81,7 @@ def study_trials(asked: StudyRequest, *, learns: bool, figures: FigureChoice, ov
                 result = run_study(trials, seeds[0], plan, path.name, progress, driver, second)
                 draw = _no_figures if figures == "none" else partial(draw_study, result, figure_format=figures)
                 write_study(result, out, draw, overwrite, second)
-            document, lines = summary(result), [result.learning[name]["text"] for name in MEASURES]
+            document, lines = summary(result), [str(result.learning[name]["text"]) for name in MEASURES]
         else:
             report = None if as_json else _report_seed
             results = run_seeds(seeds, trials, plan, path.name, driver, report, processes)

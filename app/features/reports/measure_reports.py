@@ -196,7 +196,7 @@ def _curve(name: str, rows: Rows, newest: int, fit: dict[str, Any] | None) -> Dr
         for row in rows
         if (value := value_of(row, name)) is not None
     ]
-    description = Text("report-curve-of", measure=TRIAL_MEASURES[name].as_subject, count=len(points))
+    description = Text("report-curve-of", measure=TRIAL_MEASURES[name].name, count=len(points))
     return curve_drawing(points, fit, TRIAL_MEASURES[name], str(description))
 
 

@@ -29,12 +29,12 @@ from app.calibration.adaptation.thresholds import dead_zone_for, least_dead_zone
 from app.calibration.gaps import fill_forward
 from app.calibration.profile import CalibrationProfile, JointMap
 from app.calibration.vocabulary import DriveParameters, Gesture
-from app.number_format import percent
 from app.pipeline.channel_health import ChannelHealth
 from app.pipeline.projection import projections
 from app.pipeline.replay.batch import decode_block
 from app.scoring.verdict.cusum import LIMIT, cumulative_sum, normal_score
 from app.scoring.verdict.spread import CLINIC_WEIGHT, Series, Spread, Variance, own_spread, pool_spreads, weighted_sum
+from app.texts import Figure, Text, in_sequence
 
 FEWEST_STROKES = 3  # of a gesture in a trial
 OWN_FACTOR = 2.0  # a stroke is a gesture's own where it is at least so many times as strong (rate / full) as any other
@@ -236,20 +236,17 @@ def _joint_loss(
     joint: JointMap, origin: JointMap, gesture: Gesture, trials: Sequence[GestureTrial], alike: Sequence[GestureTrial]
 ) -> JointLoss | None:
     """Return what one joint loses, None when that is nothing; `alike` are the trials with the present full."""
-    sentences: list[str] = []
+    sentences: list[Text] = []
     dead_zone, growth = _dead_zone(origin, gesture, trials, sentences), _growth(alike, sentences)
     turns = joint.map == "pca" and _is_blind(trials, sentences)
     silenced = _is_silenced(trials)
     if silenced:
-        sentences.append(
-            f"A sensor lay outside its range for {percent(trials[-1].silent)} of the last trial, and nothing counted "
-            "then."
-        )
-    return JointLoss(" ".join(sentences), dead_zone, growth, turns, silenced) if sentences else None
+        sentences.append(Text("calibration-loss-silent", percent=Figure(100 * trials[-1].silent)))
+    return JointLoss(in_sequence(sentences), dead_zone, growth, turns, silenced) if sentences else None
 
 
 def _dead_zone(
-    origin: JointMap, gesture: Gesture, trials: Sequence[GestureTrial], sentences: list[str]
+    origin: JointMap, gesture: Gesture, trials: Sequence[GestureTrial], sentences: list[Text]
 ) -> float | None:
     """Return the dead-zone (FS/s) that the noise asks for, None where the present one costs nothing."""
     noises = [trial.noise for trial in trials if trial.noise is not None]
@@ -258,35 +255,31 @@ def _dead_zone(
     needed = dead_zone_for(origin, math.exp(noises[-1]))
     target = math.log(gesture.dead_zone / LEAST_MARGIN)
     if needed > gesture.dead_zone and cumulative_sum(_surprises("noise", noises, target)) > LIMIT:
-        sentences.append("Its noise at rest has come near to where it counts, so it may act by itself.")
+        sentences.append(Text("calibration-loss-noise"))
         return needed
     missed = [trial.missed for trial in trials if trial.missed is not None]
     if needed < gesture.dead_zone and cumulative_sum(_surprises("missed", missed, MOST_MISSED)) > LIMIT:
-        sentences.append(
-            f"{percent(missed[-1])} of the time of its movements does not count, though it is calm at rest."
-        )
+        sentences.append(Text("calibration-loss-missed", percent=Figure(100 * missed[-1])))
         return needed
     return None
 
 
-def _growth(trials: Sequence[GestureTrial], sentences: list[str]) -> float | None:
+def _growth(trials: Sequence[GestureTrial], sentences: list[Text]) -> float | None:
     """Return ln(size of the strokes now / in the first trials with this full), None where that is noise."""
     sizes = [trial.size for trial in trials if trial.size is not None]
     if len(sizes) <= FIRST_TRIALS:
         return None
     first = float(np.mean(sizes[:FIRST_TRIALS]))
-    for sign, adjective in ((-1.0, "weaker"), (1.0, "stronger")):
+    for sign, how in ((-1.0, "weaker"), (1.0, "stronger")):
         surprises = _surprises("size", [sign * size for size in sizes], sign * first + LEAST_GROWTH, FIRST_TRIALS)
         if cumulative_sum(surprises) > LIMIT:
             growth = float(np.mean(sizes[FIRST_TRIALS:][-LAST_TRIALS:])) - first
-            sentences.append(
-                f"Its movements have become {adjective} by {percent(abs(math.expm1(growth)))} since the first trials."
-            )
+            sentences.append(Text(f"calibration-loss-{how}", percent=Figure(100 * abs(math.expm1(growth)))))
             return growth
     return None
 
 
-def _is_blind(trials: Sequence[GestureTrial], sentences: list[str]) -> bool:
+def _is_blind(trials: Sequence[GestureTrial], sentences: list[Text]) -> bool:
     """Return whether the direction sees less of the movement than in the first trials with this calibration."""
     values = [trial.blind for trial in trials if trial.blind is not None]
     if len(values) <= FIRST_TRIALS:
@@ -294,7 +287,7 @@ def _is_blind(trials: Sequence[GestureTrial], sentences: list[str]) -> bool:
     target = float(np.mean(values[:FIRST_TRIALS])) + MOST_BLIND
     if cumulative_sum(_surprises("blind", values, target, FIRST_TRIALS)) <= LIMIT:
         return False
-    sentences.append(f"{percent(values[-1])} of its movement goes in another direction than the one that drives.")
+    sentences.append(Text("calibration-loss-direction", percent=Figure(100 * values[-1])))
     return True
 
 

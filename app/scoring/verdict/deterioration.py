@@ -13,6 +13,7 @@ from app.scoring.verdict.measure_comparison import Rows, least_spread
 from app.scoring.verdict.measure_verdict import series_of
 from app.scoring.verdict.reaching import Counts, counts_of, fewer_than_foretold
 from app.scoring.verdict.spread import Series, Spread, fit_curve, own_spread, pool_spreads
+from app.texts import Text
 
 EARLIER_SESSIONS = 2  # before the sessions that are judged
 EARLIER_TRIALS = 5
@@ -21,12 +22,6 @@ LATER_SESSIONS = 2  # that are judged together at least: one bad day is no deter
 # worse at any time within twenty sessions (docs/learning/verdicts.md).
 LIMIT = 3.5
 LIMIT_OF_REACHING = 3.6  # the dispersion of a person's counts is known less well than the spread of their measures
-
-WORSE = "Worse than this person's own noise"
-ADVICE = (
-    "What to do: check the fit of the shirt and the warnings of control quality, ask about pain, sleep and medication, "
-    "and calibrate again. If the next two sessions are as bad, talk to the physician."
-)
 
 
 class Score(NamedTuple):
@@ -93,7 +88,9 @@ def _score(before: Series, later: Series, clinic: Spread | None, least: float, s
     return None if normal is None else Score(normal, difference / math.sqrt(1 / earlier_sessions + 1 / later_sessions))
 
 
-def deteriorations(rows: Rows, clinic: Mapping[str, Spread], names: Collection[str] = TRIAL_MEASURES) -> dict[str, str]:
+def deteriorations(
+    rows: Rows, clinic: Mapping[str, Spread], names: Collection[str] = TRIAL_MEASURES
+) -> dict[str, Text]:
     """Return, for each measure of `names` that has become worse, a sentence that says since when, and what to do.
 
     `rows` are a person's trials in one task, `clinic` the median spread of each measure.
@@ -106,9 +103,8 @@ def deteriorations(rows: Rows, clinic: Mapping[str, Spread], names: Collection[s
             starts[name] = worse_since(series, clinic.get(name), better, least_spread(name, series.value))
     counts = counts_of(rows)
     starts[REACHED] = missed_since(counts)
-    return {name: _sentence(name, since) for name, since in starts.items() if since is not None}
-
-
-def _sentence(name: str, since: int) -> str:
-    sentence = "The goal is missed more often than by this person's own noise" if name == REACHED else WORSE
-    return f"{sentence} since session {since}. {ADVICE}"
+    return {
+        name: Text("verdict-goal-missed" if name == REACHED else "verdict-worse", session=since)
+        for name, since in starts.items()
+        if since is not None
+    }

@@ -11,6 +11,7 @@ from app.scoring.verdict.measure_comparison import Rows, value_of
 from app.scoring.verdict.measure_verdict import FEWEST, ClinicSpreads, Verdict, difference_of, series_of, verdicts_on
 from app.scoring.verdict.reaching import counts_of, family_of, reaching_difference, reaching_verdict
 from app.scoring.verdict.spread import Series
+from app.texts import Text
 
 # Of all words on two sessions. A page compares the newest with the one before and with the first, and has a sentence on
 # all sessions (`change_over_sessions.py`): together 5 %.
@@ -39,7 +40,7 @@ class TaskVerdicts(Document):
     """What a person's trials in one task say about change."""
 
     sessions: list[SessionVerdicts]  # the newest session against the one before, and against the first
-    deterioration: dict[str, str]  # measure -> sentence with what to do; only of measures that have become worse
+    deterioration: dict[str, Text]  # measure -> sentence with what to do; only of measures that have become worse
     needed: int = FEWEST  # trials in all that a verdict needs
 
 

@@ -15,16 +15,14 @@ from app.store.calibrations import recordings_behind, recordings_of
 from app.store.database import Database
 from app.store.parameters import newest_profile
 from app.store.tables import PatientSession
+from app.texts import Text
 
 Recorded = tuple[tuple[str, str], ...]
 """Steps of a calibration, each with the folder of its recording."""
 
 KEPT = 8  # results: the Controls page asks again with every change
 NOTHING = "Nothing is calibrated yet: calibrate first, and tap “Use this calibration”."
-GONE = (
-    "The recordings of this calibration are not here, so only the movements there are ranked, not those back, "
-    "by the calibration's own numbers: calibrate again to see all."
-)
+GONE = Text("calibration-recordings-gone")
 
 
 class GestureDiscoveries:

@@ -7,6 +7,7 @@ from app.calibration.fit.profile_fit import joints_without_map
 from app.calibration.grades import SIGNAL_TO_NOISE_LIMITS, UNPROMPTED
 from app.calibration.profile import CalibrationProfile, JointMap
 from app.calibration.script import Step
+from app.texts import in_sequence
 
 ENOUGH = 0.9  # share of the frames that should have come at the shirt's sample rate
 LONGEST_GAP = 0.25  # s; a movement of a second is not recognised across a longer one
@@ -48,15 +49,16 @@ def advice_of(profile: CalibrationProfile, step: Step) -> str:
     if step.kind == "prompt":
         joint = joints.get(str(step.joint))
         if joint is None:
-            return joints_without_map(profile)[str(step.joint)]
-        return joint.reason if joint.has_to_be_repeated else ""
+            return str(joints_without_map(profile)[str(step.joint)])
+        return str(joint.description) if joint.has_to_be_repeated else ""
     weak = [joint for joint in profile.joints if joint.has_to_be_repeated]
     unclear = sum(joint.has_to_be_repeated or _is_weak(joint) for joint in profile.joints)
     if step.kind == "rest" or not weak or unclear < len(profile.joints):
         return ""
     first = weak[0]
     label = next(joint.label for joint in profile.layout.joints if joint.name == first.name)
-    return f"No joint moves clearly enough. {label}: {first.reason.replace(UNPROMPTED, '').strip()}"
+    findings = in_sequence(sentence for sentence in first.reason if sentence != UNPROMPTED)
+    return f"No joint moves clearly enough. {label}: {findings}"
 
 
 def _is_weak(joint: JointMap) -> bool:

@@ -96,7 +96,7 @@ def test_the_words_of_the_steps_are_those_of_the_result(in_session: Any) -> None
     def profile(layout: Any) -> Any:
         found = profile_for(layout)
         joints = tuple(
-            joint.model_copy(update={"grade": "repeat", "reason": "Repeat it larger."} if not number else {})
+            joint.model_copy(update={"grade": "repeat", "reason": ("Repeat it larger.",)} if not number else {})
             for number, joint in enumerate(found.joints)
         )
         return found.model_copy(update={"joints": joints})

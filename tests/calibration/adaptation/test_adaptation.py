@@ -13,13 +13,14 @@ from app.calibration.adaptation.joint_loss import JointLoss
 from app.calibration.adaptation.movement import Movement
 from app.calibration.adaptation.proposal import AT_ITS_END, propose
 from app.calibration.vocabulary import standard_parameters
+from app.texts import Text
 
-WORDS = "Something is lost."
+LOST = Text("calibration-loss-noise")
 
 
 def losing(joints=JOINTS, **what):
     """Return that each of the joints loses the same."""
-    return {joint: JointLoss(WORDS, **what) for joint in joints}
+    return {joint: JointLoss(LOST, **what) for joint in joints}
 
 
 TURNING = losing(turns=True)
@@ -86,7 +87,7 @@ def test_a_joint_that_loses_nothing_stays_as_it_is(person, parameters) -> None:
     put_on_again(person)
     one, *others = propose(parameters, [trial(person)], losing(JOINTS[:1], turns=True)).joints
     assert (one.status, one.angle_applied_deg) == ("applied", pytest.approx(2.0))
-    assert one.reason.startswith(WORDS)
+    assert str(one.reason).startswith(str(LOST))
     assert {(other.status, other.angle_proposed_deg) for other in others} == {("unchanged", None)}
     assert propose(parameters, [trial(person)], {}).parameters is None
 
@@ -124,7 +125,7 @@ def test_a_loss_that_nothing_may_answer_is_said(person, parameters) -> None:
             break
         parameters = proposal.parameters
     assert {one.status for one in proposal.joints} == {"refused"}
-    assert all(one.reason == f"{WORDS} {AT_ITS_END}" for one in proposal.joints)
+    assert all(str(one.reason) == f"{LOST} {AT_ITS_END}" for one in proposal.joints)
 
 
 @pytest.mark.parametrize("kind", ["guided", "prior"])
@@ -214,7 +215,7 @@ def test_a_broken_channel_never_enters(person, parameters, how) -> None:
     proposal = propose(parameters, [driven], SILENCED)
     elbow = proposal.joints[0]
     assert elbow.status == "refused"
-    assert "right_elbow_2" in elbow.reason
+    assert "right_elbow_2" in str(elbow.reason)
     assert proposal.parameters is not None  # the other joints are adapted
     assert np.array_equal(weights_of(proposal.parameters, "right_elbow"), weights_of(parameters, "right_elbow"))
     assert proposal.parameters.profile.low[2] == parameters.profile.low[2]

@@ -39,17 +39,17 @@ def test_repetitions_agree_with_a_map_of_the_right_way_and_not_with_the_opposite
 
 
 def test_own_repetitions_that_agree_are_enough() -> None:
-    assert own_movement_refusal(parameters(check=GOOD, pca_check=GOOD)) == ""
+    assert own_movement_refusal(parameters(check=GOOD, pca_check=GOOD)) is None
 
 
 @pytest.mark.parametrize("check", [None, WRONG_WAY, TOO_SMALL])
 def test_without_them_the_joint_is_named(check: MapCheck | None) -> None:
     given = parameters() if check is None else parameters(check=check, pca_check=GOOD)
-    words = own_movement_refusal(given)
+    words = str(own_movement_refusal(given))
     assert words.startswith("Other people taught the movement of Right shoulder")
     assert "Calibrate page" in words
 
 
 def test_a_joint_that_drives_by_the_own_calibration_needs_nothing() -> None:
     own = CalibrationProfile.model_validate_json(profile_file().read_bytes())
-    assert own_movement_refusal(standard_parameters(own)) == ""
+    assert own_movement_refusal(standard_parameters(own)) is None

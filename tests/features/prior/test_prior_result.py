@@ -36,7 +36,7 @@ def test_a_joint_has_an_advice_only_where_there_is_something_to_heed(in_session:
 
     def profile(layout: Any) -> Any:
         found = profile_for(layout)
-        changes = {name: {"grade": grade, "reason": reason} for name, (grade, reason) in findings.items()}
+        changes = {name: {"grade": grade, "reason": (reason,)} for name, (grade, reason) in findings.items()}
         joints = tuple(joint.model_copy(update=changes.get(joint.name, {})) for joint in found.joints)
         return found.model_copy(update={"joints": joints})
 

@@ -86,7 +86,7 @@ def test_the_trajectories_of_the_recordings_are_drawn(session_report, course_rep
 def test_a_later_session_is_not_in_the_report_of_an_earlier_one(reported):
     report = report_of(*reported, 2)
     assert report.tasks[0].before == "Session 1"
-    assert report.tasks[0].curve.description == f"The area off the path over {2 * TRIALS} trials."
+    assert report.tasks[0].curve.description == f"Area off the path over {2 * TRIALS} trials."
     first = report_of(*reported, 1).tasks[0]
     assert (first.before, {row.verdict for row in first.measures}) == ("", {"nothing to compare with"})
     assert all(row.now for row in first.measures)

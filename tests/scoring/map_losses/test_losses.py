@@ -92,7 +92,7 @@ def test_strokes_that_change_by_more_than_a_tenth_change_full(way, word) -> None
     loss = losses(of("size", sizes))
     assert loss is not None
     assert loss.growth == pytest.approx(way * 0.3, abs=0.1)
-    assert word in loss.message
+    assert word in str(loss.message)
     assert losses(of("size", USUAL + rng.normal(0, 0.05, 16) + way * np.repeat([0.0, 0.08], 8))) is None
 
 
@@ -113,7 +113,7 @@ def test_time_that_s5_took_is_a_loss_at_once() -> None:
     loss = losses([{}, {"silent": 0.3, "noise": None, "size": None, "missed": None, "blind": None}])
     assert loss is not None
     assert loss.silenced
-    assert "30 %" in loss.message
+    assert "30 %" in str(loss.message)
     assert losses([{"silent": 0.3}, {}]) is None
 
 
@@ -133,7 +133,7 @@ def test_whatever_the_figures_are_a_loss_has_words_and_something_to_do(figure, v
     trials = of(figure, [value if there else None for value, there in zip(values, seen, strict=False)])
     loss = losses(trials)
     if loss is not None:
-        assert loss.message.endswith(".")
+        assert str(loss.message).endswith(".")
         assert loss.silenced or loss.turns or loss.dead_zone is not None or loss.growth is not None
         assert loss.dead_zone is None or 0.0 < loss.dead_zone <= max(GESTURE.dead_zone, GESTURE.full / 2)
     assert losses(trials) == loss

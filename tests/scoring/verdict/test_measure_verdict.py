@@ -281,7 +281,9 @@ def rows() -> list[dict[str, object]]:
 def test_a_deterioration_is_looked_for_in_the_named_measures_only() -> None:
     every = task_verdicts(rows(), {})
     assert set(every.deterioration) == {"time", "e_diff"}
-    assert every.deterioration["time"].startswith(f"Worse than this person's own noise since session {WORSE_FROM}.")
+    assert str(every.deterioration["time"]).startswith(
+        f"Worse than this person's own noise since session {WORSE_FROM}."
+    )
     for names in ((), ("time",), ("time", "sparc")):
         found = task_verdicts(rows(), {}, names)
         assert found.sessions == every.sessions

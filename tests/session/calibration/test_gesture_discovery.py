@@ -63,7 +63,7 @@ def test_the_calibration_under_way_is_judged_by_its_recordings_before_and_after_
     with pytest.raises(Conflict):
         recorded.newest()
     found = recorded.result()
-    assert (found.source, found.message) == ("recordings", "")
+    assert (found.source, found.message) == ("recordings", None)
     assert {(one.joint, one.direction) for one in found.gestures} == {
         (joint, way) for joint in LAYOUT.joint_names for way in (1, -1)
     }
@@ -107,5 +107,5 @@ def test_recordings_that_were_tidied_up_are_missed_in_words(recorded):
     shutil.rmtree(recorded.folder_of("rest"))
     found = recorded.newest()
     assert found.source == "profile"
-    assert "calibrate again" in found.message
+    assert "calibrate again" in str(found.message)
     assert {one.direction for one in found.gestures} == {1}
