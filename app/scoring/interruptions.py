@@ -145,13 +145,17 @@ def reason_to_ask(measures: MeasureValues) -> Text | None:
     """Return why a trial counts only when a person confirms it, None when it counts."""
     if not measures.get("interrupted"):
         return None
-    return Text("timeline-asked", interruptions=_listed(measures, *MACHINE_KINDS) or "")
+    return Text("interruptions-asked", interruptions=_listed(measures, *MACHINE_KINDS) or "")
 
 
 def _listed(measures: MeasureValues, *kinds: tuple[str, str, str]) -> Text | None:
     parts = [
-        Text(f"timeline-{what}", times=times, seconds=Figure(measures.get(duration) or 0.0))
+        Text(f"interruption-{what}", times=times, seconds=Figure(measures.get(duration) or 0.0))
         for what, count, duration in kinds
         if (times := int(measures.get(count) or 0))
     ]
-    return reduce(lambda before, after: Text("timeline-several", before=before, after=after), parts) if parts else None
+    return (
+        reduce(lambda before, after: Text("interruptions-several", before=before, after=after), parts)
+        if parts
+        else None
+    )

@@ -126,7 +126,9 @@ def timeline_of(folder: FilePath, path_points: Sequence[Sequence[float]], end: s
     """
     run = read_run(folder)
     if run.rows == 0:
-        raise ValueError(Text("timeline-damaged", damage=run.damage) if run.damage else Text("timeline-nothing"))
+        raise ValueError(
+            Text("trial-recording-damaged", damage=run.damage) if run.damage else Text("trial-recording-nothing")
+        )
     rows = run.columns
     t = since_armed(rows)
     decimation = Decimation(run.rows, MOST_POINTS)
@@ -170,7 +172,7 @@ def recorded_poses(folder: FilePath, most_per_second: float) -> tuple[FloorPlan,
     run = read_run(folder)
     plan = plan_of(run)
     if plan is None:
-        raise ValueError(Text("timeline-no-place"))
+        raise ValueError(Text("trial-recording-no-place"))
     return plan, poses_of(run, most_per_second)
 
 
@@ -178,7 +180,7 @@ def poses_of(run: RunRecording, most_per_second: float) -> Poses:
     """Return the poses of a recorded run, at most `most_per_second`; ValueError when the recording holds nothing."""
     rows = run.columns
     if run.rows == 0:
-        raise ValueError(Text("timeline-empty"))
+        raise ValueError(Text("trial-recording-empty"))
     t = since_armed(rows)
     periods = np.floor((t - t[0]) * most_per_second)
     chosen = np.flatnonzero(np.diff(periods, prepend=-1.0) > 0)  # the first row of each period

@@ -58,28 +58,28 @@ timeline-goal = The goal was reached.
 
 ## A recording that cannot be shown. $damage is one or more whole sentences.
 
-timeline-no-place = The recording of this trial names no place: choose another trial.
-timeline-empty = The recording of this trial holds nothing: choose another trial.
-timeline-damaged = The recording of this trial holds nothing. { $damage }
-timeline-nothing = The recording of this trial holds nothing.
+trial-recording-no-place = The recording of this trial names no place: choose another trial.
+trial-recording-empty = The recording of this trial holds nothing: choose another trial.
+trial-recording-damaged = The recording of this trial holds nothing. { $damage }
+trial-recording-nothing = The recording of this trial holds nothing.
 
 ## What interrupted a trial, how often, and for how long.
 
-timeline-halted =
+interruption-halted =
     { $times ->
         [one] halted once, { $seconds } s
        *[other] halted { $times } times, { $seconds } s
     }
-timeline-paused =
+interruption-paused =
     { $times ->
         [one] paused once, { $seconds } s
        *[other] paused { $times } times, { $seconds } s
     }
-timeline-stopped =
+interruption-stopped =
     { $times ->
         [one] stopped by a person once, { $seconds } s
        *[other] stopped by a person { $times } times, { $seconds } s
     }
 # Of the three above.
-timeline-several = { $before }; { $after }
-timeline-asked = the machine interrupted it ({ $interruptions }), and nobody has said yet that it counts
+interruptions-several = { $before }; { $after }
+interruptions-asked = the machine interrupted it ({ $interruptions }), and nobody has said yet that it counts
