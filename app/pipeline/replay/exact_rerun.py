@@ -120,4 +120,4 @@ def _clinic(meta: JsonDocument) -> Speeds:
     try:
         return Speeds.model_validate(meta.get("clinic"))
     except ValidationError as error:
-        raise ValueError(one_sentence(error, "its run.json, clinic")) from error
+        raise ValueError(one_sentence(error, Text("drives-replay-part", part="clinic"))) from error

@@ -61,6 +61,6 @@ def chair_of(meta: JsonDocument) -> VirtualChair | None:
     try:
         plan = FloorPlan.model_validate(document)
     except ValidationError as error:
-        raise ValueError(one_sentence(error, "its run.json, floorplan")) from error
+        raise ValueError(one_sentence(error, Text("drives-replay-part", part="floorplan"))) from error
     path = plan.path_named(meta["path"]) if meta.get("path") else plan.paths[0]
     return VirtualChair(plan, Pose(*path.start), meta.get("dynamics", "unicycle"))

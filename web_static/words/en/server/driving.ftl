@@ -18,6 +18,14 @@ drives-only-recorded = A real chair drives only while it is recorded: begin a dr
 # $state is a whole sentence: the state of the chair.
 drives-switch-pressed = { $state } Look around, release the switch, then arm again.
 drives-switch-unproved = With “Keeps its speed” or “Keeps turning” a chair goes on by itself, so a real one needs its stop switch: press and release it once to show that it works, or choose “Follows the movement” on the Controls page.
+drives-virtual-chair-chosen = The virtual chair is chosen: choose a real one first.
+drives-not-practised = This set was never practised on the virtual chair of this clinic: finish a trial with it first, and let it count.
+drives-show-the-switch = With “Keeps its speed” or “Keeps turning” a chair goes on by itself: press and release its stop switch once to show that it works, or choose “Follows the movement” on the Controls page.
+drives-wait-for-process = The control process is being restarted: wait a moment.
+# $name is the name of a chair.
+drives-chair-silent = { $name } does not answer: check its power and the network.
+# $name is the name of a chair.
+drives-stop-switch-pressed = The stop switch of { $name } is pressed: look around, then release it.
 
 ## Refused commands
 
@@ -118,3 +126,5 @@ drives-replay-empty = the recording holds nothing: choose another one
 drives-replay-channels = the recording has { $recorded } channels and the profile { $expected }: use the profile of the same shirt
 # $stated is what stands in the file run.json; the others are in Hz.
 drives-replay-rate = its run.json gives the sample rate as { $stated }, which must be { $slowest } to { $fastest } Hz: correct it
+# Begins a sentence on what is wrong: a field of the file run.json of the recording.
+drives-replay-part = its run.json, { $part }
