@@ -44,7 +44,7 @@ class Command(NamedTuple):
 class Commands:
     """Executes commands between two ticks of the loop."""
 
-    def __init__(self, loop: ControlLoop, server: CommandServer, real_time: list[str], clock: Clock) -> None:
+    def __init__(self, loop: ControlLoop, server: CommandServer, real_time: list[Text], clock: Clock) -> None:
         self.quit = False
         self._loop = loop
         self._setup = loop.setup
