@@ -80,7 +80,7 @@ class OfferView(Document):
     url: str
     qr: str
     expires: str
-    message: str
+    message: Text | str
 
 
 class Code(Document):

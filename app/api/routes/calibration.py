@@ -148,7 +148,7 @@ async def choose(
     async with session_flow.undisturbed(Text("visit-then-map")):
         session = await session_flow.needed_session()
         if calibration_flow.running:
-            raise Conflict("A step is being recorded, or the calibration is being worked out: wait for its end.")
+            raise Conflict(Text("api-calibration-busy"))
         await asyncio.to_thread(choose_map, database, session.id, body.joint, body.map)
     live.notify("calibration")
     return await _view(calibration_flow, session)
@@ -171,7 +171,7 @@ async def say_how_it_sits(
     async with session_flow.undisturbed(Text("visit-then-sitting")):
         session = await session_flow.needed_session()
         if calibration_flow.running:
-            raise Conflict("A step is being recorded, or the calibration is being worked out: wait for its end.")
+            raise Conflict(Text("api-calibration-busy"))
         await asyncio.to_thread(
             override_rotation, database, session.id, body.joint, person.name, is_right=body.is_right
         )

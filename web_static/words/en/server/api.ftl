@@ -77,6 +77,7 @@ api-no-view = There is no 3D view while no session is open: open one first.
 # Title of the last step of a calibration.
 api-result = Result
 api-result-instruction = Look at each joint. Repeat what is not good enough, then tap “Use this calibration”.
+api-calibration-busy = A step is being recorded, or the calibration is being worked out: wait for its end.
 api-calibration-in-use = This calibration is in use already: go on to the controls, or repeat a step.
 # Begins a sentence on what is wrong in a set of controls.
 api-the-controls = The controls
@@ -132,3 +133,7 @@ api-measuring-while-busy = A chair is armed or something is recorded, and measur
 api-measuring-interrupted = A chair was armed or a recording began, so the measuring ended, because it takes time from the control loop: measure again when that is over.
 api-measuring-already = This computer is being measured already: wait until that is over.
 api-measuring-failed = This computer could not be measured: try again, or run 'bodydrive check' on it to see why.
+# The name of a screen: begins a sentence on how many pictures a second it draws. $name is the name of a person.
+api-page-of = The page of { $name }
+# The name of a screen: begins a sentence on how many pictures a second it draws.
+api-patients-screen = A patient's screen
