@@ -12,6 +12,7 @@ from app.layout import ShirtLayout
 from app.quantities import Document
 from app.session.calibration.calibration_flow import RESULT
 from app.session.calibration.calibration_progress import Progress
+from app.texts import Text
 
 
 class RunningStep(Document):
@@ -77,15 +78,16 @@ def _steps(progress: Progress) -> list[dict[str, Any]]:
             "id": RESULT,
             "kind": "result",
             "joint": None,
-            "title": "Result",
-            "label": "Result",
-            "instruction": "Look at each joint. Repeat what is not good enough, then tap “Use this calibration”.",
+            "title": str(Text("api-result")),
+            "label": str(Text("api-result")),
+            "instruction": str(Text("api-result-instruction")),
             "duration": 0.0,
             "cues": [],
         }
     )
     for step in steps:
-        step["status"], step["message"] = progress.status.get(step["id"], waiting)
+        status, message = progress.status.get(step["id"], waiting)
+        step["status"], step["message"] = status, str(message)
     return steps
 
 

@@ -48,11 +48,12 @@ from app.store.access.rights import EXPORTERS
 from app.store.database import Database
 from app.store.files.plans import OwnPlans
 from app.store.files.replacements import ReplacedFiles
+from app.texts import Text
 
 RowId = Annotated[int, Path(ge=1, le=2**31)]
 
-LOCKED = "This page is locked: give the password, or let somebody else sign in."
-NOBODY = "You are not signed in, or no longer: sign in again."
+LOCKED = Text("api-locked")
+NOBODY = Text("api-not-signed-in")
 
 Db = Annotated[Database, Depends(part(Database))]
 SettingsPart = Annotated[Settings, Depends(part(Settings))]
@@ -121,25 +122,21 @@ def viewer(role: Role, connection: HTTPConnection, database: Db, person: WhoAsks
 async def clinician(person: Annotated[SignedInPerson, Depends(anyone_signed_in)]) -> SignedInPerson:
     """Return the person who is signed in; 403 for reviewers, who may only look."""
     if not person.drives:
-        raise HTTPException(
-            403, "A reviewer reads and comments, and changes nothing else: ask an owner for more rights."
-        )
+        raise HTTPException(403, Text("api-reviewer-changes-nothing"))
     return person
 
 
 async def exporter(person: Annotated[SignedInPerson, Depends(anyone_signed_in)]) -> SignedInPerson:
     """Return the person who is signed in; 403 without the right to take reports and exports out of the clinic."""
     if person.role not in EXPORTERS:
-        raise HTTPException(
-            403, "A reviewer takes no records out of the clinic: ask a clinician for a report or an export."
-        )
+        raise HTTPException(403, Text("api-reviewer-exports-nothing"))
     return person
 
 
 async def owner(person: Annotated[SignedInPerson, Depends(anyone_signed_in)]) -> SignedInPerson:
     """Return the person who is signed in; 403 for those who are no owner of the clinic."""
     if person.role != "owner":
-        raise HTTPException(403, "Only an owner of the clinic changes this: ask one.")
+        raise HTTPException(403, Text("api-only-owners"))
     return person
 
 

@@ -23,6 +23,7 @@ from app.clock import monotonic
 from app.settings import Settings
 from app.store.access.visible_patients import NOBODY, VISIBLE_PATIENTS
 from app.store.database import Database
+from app.texts import Text
 
 # Our pages run only scripts of this program. The 3D view has its own policy (view_bridge.py).
 PAGE_POLICY = "; ".join(
@@ -53,8 +54,8 @@ HEADERS = {
 # A browser that was here over https asks for no page of this name over http for 30 days (decisions/0041).
 ONLY_HTTPS = "max-age=2592000"
 
-NOT_OURS = "This address does not belong to this program: open the link that it printed."
-NOT_OUR_PAGE = "This request does not come from our own page: open the page and try again."
+NOT_OURS = Text("api-address-not-ours")
+NOT_OUR_PAGE = Text("api-not-our-page")
 
 SMALL = 64_000  # bytes: whatever a page sends but files, floor plans and controls; anybody may send so much
 BODY_LIMIT = 2_000_000  # bytes
@@ -69,9 +70,8 @@ LIMITS = {
 MOST_AT_ONCE = 4  # large bodies, which together need 260 MB of temporary disk; archives look for room themselves
 FIRST, SLOWEST = 20.0, 100_000.0  # s, and bytes/s: a body takes FIRST, and longer by its length over SLOWEST
 
-TOO_LARGE = "This is too large: send at most {limit} MB here."
-TOO_MANY = "Other files are arriving at the moment: wait until they are here, then try again."
-TOO_SLOW = "This arrives too slowly, so it was given up: bring this device nearer to the network, then try again."
+TOO_MANY = Text("api-too-many-files")
+TOO_SLOW = Text("api-too-slow")
 
 
 class Bodies:
@@ -130,7 +130,7 @@ class RequestBody:
 
     async def _judge(self, size: int) -> None:
         if size > self._limit:
-            raise HTTPException(413, TOO_LARGE.format(limit=self._limit // 1_000_000))
+            raise HTTPException(413, Text("api-too-large", megabytes=self._limit // 1_000_000))
         if size <= SMALL or self in self._large:
             return
         database = parts_of(self._connection.app)[Database]
@@ -178,15 +178,15 @@ class Guard:
             await send(message)
 
         if not ours:
-            answer = JSONResponse({"detail": NOT_OURS}, 421)
+            answer = JSONResponse({"detail": str(NOT_OURS)}, 421)
         elif not may_pass(scope["method"], path, connection):
-            answer = JSONResponse({"detail": NOT_OUR_PAGE}, 403)
+            answer = JSONResponse({"detail": str(NOT_OUR_PAGE)}, 403)
         else:
             body = self._bodies.of(connection, receive)
             try:
                 await body.begin()
             except HTTPException as refused:
-                answer = JSONResponse({"detail": refused.detail}, refused.status_code)
+                answer = JSONResponse({"detail": str(refused.detail)}, refused.status_code)
             else:
                 try:
                     await self._app(scope, body.receive, with_headers)

@@ -5,6 +5,8 @@ import ipaddress
 from fastapi import HTTPException
 from starlette.requests import HTTPConnection
 
+from app.texts import Text
+
 # Private, link-local and loopback networks (RFC 1918, 3927, 4193, 4291); other "not global" ones may be elsewhere.
 NEAR = [
     ipaddress.ip_network(network)
@@ -21,10 +23,7 @@ NEAR = [
 ]
 PASSED_ON = ("forwarded", "via", "x-real-ip")  # headers of a request that a proxy forwards
 
-FAR = (
-    "The chair is set in motion only from a screen in the building, connected without anything in between: "
-    "go to the chair, and open the page there."
-)
+FAR = Text("api-far")
 
 
 def is_nearby(connection: HTTPConnection) -> bool:

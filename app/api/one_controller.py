@@ -13,8 +13,9 @@ from app.api.parts import parts_for
 from app.api.sign_in.identity import SignedInPerson
 from app.session.real_drive import RealDriveFlow
 from app.session.trial import TrialFlow
+from app.texts import Text
 
-ANOTHER = "Somebody else started this drive, and only they go on or end it here: you can stop it, and ask them."
+ANOTHER = Text("api-another-controller")
 
 
 @dataclass(frozen=True, slots=True)
@@ -56,8 +57,8 @@ class DriveAuthority:
     def require_picture(self) -> None:
         """Raise 409 when a screen of the running trial has no picture to drive by."""
         trial = self.trials.current
-        refusal = "" if trial is None else self.pictures.refusal(Screen(trial.person_id, trial.screen))
-        if refusal:
+        refusal = None if trial is None else self.pictures.refusal(Screen(trial.person_id, trial.screen))
+        if refusal is not None:
             raise HTTPException(409, refusal)
 
 

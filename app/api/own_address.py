@@ -9,11 +9,10 @@ from starlette.requests import HTTPConnection
 from app.api.sign_in.cookies import is_encrypted
 from app.network import link
 from app.settings import Settings
+from app.texts import Text
 
-ONLY_HERE = "Only this machine can open the link, because the program listens to nobody else."
-ONLY_IN_NETWORK = (
-    "The link opens in the clinic's own network or VPN only: elsewhere, it needs a proxy (page “For administrators”)."
-)
+ONLY_HERE = Text("api-link-only-here")
+ONLY_IN_NETWORK = Text("api-link-only-in-network")
 
 
 class OwnAddress(NamedTuple):
@@ -42,7 +41,7 @@ def own_address(settings: Settings, connection: HTTPConnection) -> OwnAddress:
 
 def link_hint(settings: Settings, address: OwnAddress) -> str:
     """Return where a link to this address does not work, and what a new device needs first; empty: nothing to say."""
-    return " ".join(filter(None, (ONLY_HERE if address.only_here else "", setup_hint(settings))))
+    return " ".join(filter(None, (str(ONLY_HERE) if address.only_here else "", setup_hint(settings))))
 
 
 def setup_hint(settings: Settings) -> str:
@@ -54,7 +53,7 @@ def reach_hint(settings: Settings, address: OwnAddress) -> str:
     """Return from where a link for somebody outside does not open; empty: it opens from everywhere, by the proxy."""
     if settings.public_name:
         return ""
-    return ONLY_HERE if address.only_here else ONLY_IN_NETWORK
+    return str(ONLY_HERE if address.only_here else ONLY_IN_NETWORK)
 
 
 def is_loopback(host: str) -> bool:

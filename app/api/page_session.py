@@ -15,15 +15,13 @@ from app.api.deps import Clinician, Db
 from app.api.sign_in.identity import SignedInPerson
 from app.session.page_session import PAGE_SESSION, PageSession, require_page_session
 from app.store.database import Database
+from app.texts import Text
 
 HEADER = "Patient-Session"
 NOBODY = "none"
 ID = re.compile(r"[1-9][0-9]{0,9}")
 
-UNNAMED = (
-    f"The request does not name the session that its page shows: send its id, or '{NOBODY}' while no session is open, "
-    f"in the header {HEADER}."
-)
+UNNAMED = Text("api-session-unnamed", none=NOBODY, header=HEADER)
 
 SIGN_IN: Final = "It decides who uses this browser, whoever the patient is."
 OWN_NAME: Final = "Its address names what it changes, so the open session does not matter."

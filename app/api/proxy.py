@@ -9,16 +9,14 @@ from starlette.types import ASGIApp, Receive, Scope, Send
 from app.api.guard import HEADERS
 from app.api.nearby import parsed_address
 from app.settings import ProxyNetwork, Settings
+from app.texts import Text
 
 CLIENT, SCHEME, HOST = "x-forwarded-for", "x-forwarded-proto", "x-forwarded-host"
 REFUSED = 1008  # close code of a websocket; before it is accepted, uvicorn answers 403
 
-NOT_THE_PROXY = "This program is reached through the clinic's proxy only: open the address of the proxy."
-INCOMPLETE = (
-    "The proxy does not say who sent this request: let it set X-Forwarded-For, X-Forwarded-Proto and X-Forwarded-Host, "
-    "each once, as in docs/proxy."
-)
-NOT_ENCRYPTED = "The proxy was reached without encryption: let it answer https only, and open its https address."
+NOT_THE_PROXY = Text("api-not-the-proxy")
+INCOMPLETE = Text("api-proxy-incomplete")
+NOT_ENCRYPTED = Text("api-proxy-not-encrypted")
 
 
 class ForwardingError(Exception):

@@ -19,7 +19,7 @@ from app.clock import utc_now
 from app.host.authority_files import apple_profile, root_pem
 from app.network import NetworkService
 from app.settings import static_folder
-from app.texts import LANGUAGES, current_language, reader_language
+from app.texts import LANGUAGES, Text, current_language, reader_language
 
 PAGE: Final = "tablet.html"
 HEADERS: Final = {
@@ -31,8 +31,8 @@ POLICY: Final = (
     "default-src 'none'; script-src 'self'; style-src 'self'; img-src 'self'; connect-src 'self' {https}; "
     "frame-ancestors 'none'; form-action 'none'; base-uri 'none'"
 )
-NOTHING_ELSE: Final = "Over http there is only the page that explains how to connect: open / at this address."
-NO_ROOT: Final = "This clinic has a certificate of its own: there is nothing to install."
+NOTHING_ELSE: Final = Text("api-only-tablet-page")
+NO_ROOT: Final = Text("api-own-certificate")
 
 
 class TabletPage:
@@ -65,7 +65,7 @@ class TabletPage:
             return self._download("application/x-x509-ca-cert", name)
         files = self._files[current_language()]
         if name not in files:
-            return PlainTextResponse(NOTHING_ELSE, 404)
+            return PlainTextResponse(str(NOTHING_ELSE), 404)
         file = files[name]
         headers = {"Content-Type": file.kind, "Cache-Control": ASK_AGAIN, "Vary": "Accept-Language, Cookie"}
         if name == PAGE:
@@ -96,7 +96,7 @@ class TabletPage:
     def _download(self, kind: str, name: str) -> Response:
         trust = self._network.trust
         if trust.root is None:
-            return PlainTextResponse(NO_ROOT, 404)
+            return PlainTextResponse(str(NO_ROOT), 404)
         machine = next((each for each in trust.names if each.endswith(".local")), "this machine").removesuffix(".local")
         content = apple_profile(trust.root, machine) if name.endswith(".mobileconfig") else root_pem(trust.root)
         disposition = f'attachment; filename="{name}"'

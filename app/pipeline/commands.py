@@ -22,6 +22,7 @@ from app.process.command_channel import CommandServer, Message
 from app.quantities import Document
 from app.realtime import collect_garbage
 from app.sentences import one_sentence
+from app.texts import Text, text_of
 from app.world.floorplan import LINES_ARE_FREE
 
 Answer: TypeAlias = JsonDocument
@@ -43,7 +44,7 @@ class Command(NamedTuple):
 class Commands:
     """Executes commands between two ticks of the loop."""
 
-    def __init__(self, loop: ControlLoop, server: CommandServer, real_time: list[str], clock: Clock) -> None:
+    def __init__(self, loop: ControlLoop, server: CommandServer, real_time: list[Text], clock: Clock) -> None:
         self.quit = False
         self._loop = loop
         self._setup = loop.setup
@@ -92,16 +93,16 @@ class Commands:
         command_id, name = message.pop("id"), message.pop("do")
         command = self._commands.get(name)
         if command is None:
-            self._server.refuse(command_id, f"There is no command '{name}': use one of {', '.join(self._commands)}.")
+            self._server.refuse(command_id, Text("drives-no-command", name=name, commands=", ".join(self._commands)))
             return
         try:
             if name in NOT_MEANWHILE and self._openings.busy:
-                raise CommandRefused("Another device is being opened: wait a moment, then try again.")
+                raise CommandRefused(Text("drives-opening"))
             answer = command.do(command.fields.model_validate(message, context=LINES_ARE_FREE), command_id)
         except ValidationError as error:
-            self._server.refuse(command_id, f"{one_sentence(error, name)}.")
+            self._server.refuse(command_id, Text("drives-problem", problem=one_sentence(error, name)))
         except (CommandRefused, HardwareError) as refusal:
-            self._server.refuse(command_id, str(refusal))
+            self._server.refuse(command_id, text_of(refusal))
         except Exception as error:  # a defect of a command must not end the process that controls the chair
             self._server.refuse(command_id, defect(name, error))
         else:
@@ -135,7 +136,7 @@ class Commands:
         self._require_no_drive()
         shirt = self._setup.network_shirt
         if shirt is None or not shirt.use_sender(fields.sender):
-            raise CommandRefused("This sender sends no frames of this shirt: look at the Shirt page which sender does.")
+            raise CommandRefused(Text("drives-wrong-sender"))
         return {}
 
     def _body(self, fields: command_fields.Device, command_id: int) -> None:
@@ -146,11 +147,11 @@ class Commands:
         body = self._setup.simulated_shirt.body if self._setup.simulated_shirt else None
         move = getattr(body, "move", None)
         if move is None:
-            raise CommandRefused("The keys move nobody in this shirt: choose “You” as the body first.")
+            raise CommandRefused(Text("drives-keys-move-nobody"))
         try:
             move(fields.joints)
         except ValueError as error:
-            raise CommandRefused(f"{error}.") from error
+            raise CommandRefused(Text("drives-problem", problem=text_of(error))) from error
         return {}
 
     def _head(self, fields: command_fields.HeadDevice, command_id: int) -> None:
@@ -161,12 +162,12 @@ class Commands:
 
     def _look(self, fields: command_fields.Look, _id: int) -> Answer:
         if not self._setup.head.look(fields.yaw, fields.pitch, fields.roll):
-            raise CommandRefused("No tablet is used as the head tracker: choose it on the Shirt page first.")
+            raise CommandRefused(Text("drives-no-tablet"))
         return {}
 
     def _head_ahead(self, _fields: command_fields.Nothing, _id: int) -> Answer:
         if not self._setup.head.set_ahead():
-            raise CommandRefused("The head tracker has not said where the head looks: wait for its first pose.")
+            raise CommandRefused(Text("drives-no-pose"))
         return {}
 
     def _parameters(self, fields: command_fields.Parameters, _id: int) -> Answer:
@@ -203,7 +204,7 @@ class Commands:
 
     def _arm(self, fields: command_fields.Arm, _id: int) -> Answer:
         if self._runs.ending:
-            raise CommandRefused("The run is being ended: begin a new one first.")
+            raise CommandRefused(Text("drives-run-ending"))
         _refuse(arming_refusal(self._loop, fields.hash))
         self._begin_neutral_check()
         return {}
@@ -234,7 +235,7 @@ class Commands:
         if goes_on:
             _refuse(device_refusal(self._loop))
         if not gate.clear(fields.stops):
-            raise CommandRefused("There was another stop meanwhile: look around, then tap Continue again.")
+            raise CommandRefused(Text("drives-another-stop"))
         if goes_on:
             self._begin_neutral_check()
         return {}
@@ -248,7 +249,7 @@ class Commands:
 
     def _require_no_run(self) -> None:
         if self._loop.run is not None:
-            raise CommandRefused("Something is being recorded already: end it first.")
+            raise CommandRefused(Text("drives-recording"))
 
     def _require_no_drive(self) -> None:
         """Refuse while armed or recording: clearing a stop must resume only the setup that was armed."""
@@ -258,8 +259,8 @@ class Commands:
     def _open(self, change: DeviceChange, command_id: int, answer: Callable[[], Answer]) -> None:
         """Open a device in a thread; the command is answered when the device is open, or refused with the reason."""
 
-        def finish(failure: str) -> None:
-            if failure:
+        def finish(failure: Text | str | None) -> None:
+            if failure is not None:
                 self._server.refuse(command_id, failure)
                 return
             try:
@@ -278,59 +279,56 @@ class Commands:
         self._loop.begin_anew()
 
 
-def _refuse(sentence: str) -> None:
-    """Raise CommandRefused unless the sentence is empty."""
-    if sentence:
+def _refuse(sentence: Text | str | None) -> None:
+    """Raise CommandRefused with a sentence, if there is one."""
+    if sentence is not None:
         raise CommandRefused(sentence)
 
 
-def arming_refusal(loop: ControlLoop, digest: str) -> str:
-    """Return in a sentence why the chair cannot be armed with the parameters of this hash; empty when it can."""
+def arming_refusal(loop: ControlLoop, digest: str) -> Text | str | None:
+    """Return in a sentence why the chair cannot be armed with the parameters of this hash; None when it can."""
     setup, gate = loop.setup, loop.setup.chain.gate
     if loop.run is not None and loop.run.task is not None:
-        return "The two-minute test is running, in which no chair moves: end it first, then arm."
+        return Text("drives-during-test")
     if setup.chain.parameters is None:
-        return "There is nothing to drive with: calibrate first."
+        return Text("drives-not-calibrated")
     if digest != setup.hash:
-        return "The controls were changed meanwhile: load them again, then arm."
+        return Text("drives-controls-changed")
     missing = missing_brake(setup.chain.parameters)
-    if missing:
+    if missing is not None:
         return missing
     if gate.state is State.FAULT:
         what = EXPLANATIONS[gate.fault]
-        return f"{what.happened} {what.remedy} Take the stop back, then start again."
+        return Text("drives-latched", happened=what.happened, remedy=what.remedy)
     return device_refusal(loop)
 
 
-def device_refusal(loop: ControlLoop) -> str:
+def device_refusal(loop: ControlLoop) -> Text | str | None:
     """Return in a sentence which device is no longer paired, or what a real chair still needs before it is armed."""
     setup = loop.setup
     chair, parameters = setup.link, setup.parameters
     lost = setup.network_shirt.lost_key() if setup.network_shirt else None
     if lost:
-        return f"The shirt is no longer paired: {lost}."
+        return Text("drives-shirt-unpaired", problem=lost)
     lost = chair.lost_key() if chair else None
     if lost:
-        return f"The chair is no longer paired: {lost}."
+        return Text("drives-chair-unpaired", problem=lost)
     if chair is None or parameters is None:
-        return ""
+        return None
     if setup.mistrust:
         return setup.mistrust
     unconfirmed = own_movement_refusal(parameters)
     if unconfirmed is not None:
         return str(unconfirmed)
     if loop.run is None:
-        return "A real chair drives only while it is recorded: begin a drive first."
+        return Text("drives-only-recorded")
     if chair.silent:
-        return str(chair.description())
+        return chair.description()
     if chair.inhibited:
-        return f"{chair.description()} Look around, release the switch, then arm again."
+        return Text("drives-switch-pressed", state=chair.description())
     if parameters.keeps_speed and not chair.switch_reported:
-        return (
-            "With “Keeps its speed” or “Keeps turning” a chair goes on by itself, so a real one needs its stop switch: "
-            "press and release it once to show that it works, or choose “Follows the movement” on the Controls page."
-        )
-    return ""
+        return Text("drives-switch-unproved")
+    return None
 
 
 def status(loop: ControlLoop) -> JsonDocument:

@@ -7,6 +7,7 @@ from typing import Any, NamedTuple, Protocol, TypeVar
 
 from app.clock import Clock
 from app.hardware.base import HardwareError
+from app.texts import Text, text_of
 
 OPENING_LIMIT = 8.0  # s; the web process waits 10 s for an answer
 MOST_STUCK = 8  # threads that never ended: each holds memory until the process ends
@@ -27,13 +28,13 @@ Device = TypeVar("Device", bound=Openable)
 class DeviceChange(NamedTuple):
     """The change to another device: how to open it, and how to put it to use."""
 
-    what: str  # the device's name in sentences: shirt, chair ...
+    what: str  # the device: shirt, body, chair or head tracker
     open: Callable[[], object]  # runs in a thread: may wait, and may raise anything
     use: Callable[[Any], None]  # is given what `open` returned; runs on the loop: neither waits nor fails
 
 
-Finish = Callable[[str], None]
-"""Called on the loop at the end of a change: with an empty string, or with the reason why it failed."""
+Finish = Callable[[Text | str | None], None]
+"""Called on the loop at the end of a change: with None, or with the reason why it failed."""
 
 
 class Openings:
@@ -56,7 +57,7 @@ class Openings:
         """Begin to open the device of `change`, when not busy; `poll` puts it to use and calls `finish`."""
         self._stuck = [attempt for attempt in self._stuck if attempt.is_alive()]
         if len(self._stuck) >= MOST_STUCK:
-            finish(f"The {change.what} is not opened, for {MOST_STUCK} others still hang: start bodydrive again.")
+            finish(Text("drives-others-hang", device=change.what, count=MOST_STUCK))
             return
         self._change, self._finish = change, finish
         self._until = self._clock.now() + OPENING_LIMIT
@@ -73,20 +74,20 @@ class Openings:
         elif self._clock.now() > self._until:
             attempt.give_up()
             self._stuck.append(attempt)
-            failure = f"The {change.what} did not open within {OPENING_LIMIT:g} seconds: check its settings."
+            failure = Text("drives-opening-slow", device=change.what, seconds=OPENING_LIMIT)
         else:
             return
         self._attempt = self._change = None
         self._finish(failure)
 
 
-def _use(change: DeviceChange, device: object) -> str:
-    """Put a device to use; return an empty string, or the sentence of a defect when that failed."""
+def _use(change: DeviceChange, device: object) -> Text | None:
+    """Put a device to use; return the sentence of a defect when that failed."""
     try:
         change.use(device)
     except Exception as error:
         return defect(change.what, error)
-    return ""
+    return None
 
 
 class _Attempt(threading.Thread):
@@ -95,7 +96,7 @@ class _Attempt(threading.Thread):
     def __init__(self, change: DeviceChange) -> None:
         super().__init__(name=f"opens the {change.what}", daemon=True)  # must not keep the process alive
         self.device: object = None
-        self.failure = ""
+        self.failure: Text | str | None = None
         self.ended = threading.Event()
         self._change = change
         self._lock = threading.Lock()
@@ -132,26 +133,30 @@ def open_device(device: Device) -> Device:
     return device
 
 
-def reason(error: Exception, what: str) -> str:
+def reason(error: Exception, what: str) -> Text | str:
     """Return in one sentence why a device cannot be opened, whatever its driver raised."""
     if isinstance(error, HardwareError):
-        return one_line(str(error))
+        return message_of(error)
     if isinstance(error, ModuleNotFoundError) and error.name:
-        return f"The {what} needs the library '{error.name}', which is not installed: install it, then choose it again."
-    message = one_line(str(error))[:LONGEST_REASON]
-    cause = f"{type(error).__name__}: {message}" if message else type(error).__name__
-    return f"The {what} cannot be opened ({cause}): check its settings."
+        return Text("drives-library-missing", device=what, library=error.name)
+    kind, message = type(error).__name__, message_of(error, LONGEST_REASON)
+    if not message:
+        return Text("drives-cannot-open", device=what, error=kind)
+    return Text("drives-cannot-open-message", device=what, error=kind, message=message)
 
 
-def defect(what: str, error: Exception) -> str:
+def defect(what: str, error: Exception) -> Text:
     """Return the sentence for an unforeseen exception."""
-    message = one_line(str(error))[:LONGEST_REASON]
-    return f"The program has a fault, and '{what}' was not done ({type(error).__name__}: {message}): please report it."
+    message = message_of(error, LONGEST_REASON)
+    return Text("drives-defect", action=what, error=type(error).__name__, message=message)
 
 
-def one_line(text: str) -> str:
-    """Return a text reduced to printable characters on one line."""
-    return " ".join("".join(letter if letter.isprintable() else " " for letter in text).split())
+def message_of(error: Exception, longest: int | None = None) -> Text | str:
+    """Return an exception's text; a plain string reduced to printable characters on one line, `longest` at most."""
+    message = text_of(error)
+    if isinstance(message, Text):
+        return message
+    return " ".join("".join(letter if letter.isprintable() else " " for letter in message).split())[:longest]
 
 
 def close_quietly(device: object) -> None:

@@ -8,6 +8,7 @@ from typing import Final, NamedTuple
 
 from app.calibration.vocabulary import DriveParameters, Feature, Gesture
 from app.geometry import STANDSTILL, Twist
+from app.texts import Text
 
 STOP_ACTIVATION: Final = 0.5  # of each gesture of a stop: well above the cross-talk of other movements
 LEAST_BRAKE = 0.1  # gain: a gesture with a smaller gain slows the chair too late to count as a brake
@@ -96,20 +97,13 @@ class Brakes:
         yield from itertools.product(*directions)
 
 
-def missing_brake(parameters: DriveParameters) -> str:
-    """Return a sentence when the parameters allow motions that nobody could stop; empty when they do not."""
+def missing_brake(parameters: DriveParameters) -> Text | None:
+    """Return a sentence when the parameters allow motions that nobody could stop; None when they do not."""
     if not Brakes(parameters).are_complete:
-        return (
-            "With these controls the chair would keep a speed that no movement can slow: on the Controls page, bind a "
-            "movement to the opposite direction or to Stop, or choose “Follows the movement”."
-        )
+        return Text("drives-speed-without-brake")
     if not all(_stops_although_stuck(parameters, i) for i in parameters.bound_gestures):
-        return (
-            "With these controls a sensor that sticks while a posture is held could drive the chair on, and no "
-            "movement could stop it: on the Controls page, bind movements of other joints to Stop, or choose “Moving” "
-            "in place of “Holding”."
-        )
-    return ""
+        return Text("drives-posture-without-brake")
+    return None
 
 
 def _stops_although_stuck(parameters: DriveParameters, index: int) -> bool:

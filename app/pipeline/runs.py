@@ -15,7 +15,7 @@ from app.pipeline.setup import CommandRefused
 from app.process.command_channel import NO_ANSWER, CommandServer
 from app.realtime import collect_garbage
 from app.recording.writer import RunWriter
-from app.texts import to_document
+from app.texts import Figure, Text
 
 
 class Runs:
@@ -42,7 +42,7 @@ class Runs:
         setup.chain.gate.disarm()
         loop.send_to_chair()
         if not setup.stands:
-            raise CommandRefused("The chair is still coming to a stop: try again in a moment.")
+            raise CommandRefused(Text("drives-still-stopping"))
         writer = self._new_writer(fields)
         setup.chain.reset()
         if fields.kind == "drive":
@@ -57,7 +57,7 @@ class Runs:
         """Disarm; `poll` ends the run when the chair stands, and answers the command."""
         run = self._loop.run
         if run is None or self._ending is not None:
-            raise CommandRefused("Nothing is being recorded: begin a run first.")
+            raise CommandRefused(Text("drives-not-recording"))
         self._loop.setup.chain.gate.disarm()
         run.was_armed = False
         self._ending = run, command_id
@@ -82,7 +82,7 @@ class Runs:
         if run is None:
             return None
         writer = run.writer
-        return {"run_id": run.run_id, "rows": writer.rows, "dropped": writer.dropped, "words": _words(writer)}
+        return {"run_id": run.run_id, "rows": writer.rows, "dropped": writer.dropped, "words": writer.damage or ""}
 
     def _finish(self) -> None:
         run, self._loop.run = self._loop.run, None
@@ -95,7 +95,7 @@ class Runs:
         for run, command_id in [closing for closing in self._closing if closing[0].writer.done]:
             self._closing.remove((run, command_id))
             writer = run.writer
-            self._server.answer(command_id, rows=writer.rows, dropped=writer.dropped, words=_words(writer))
+            self._server.answer(command_id, rows=writer.rows, dropped=writer.dropped, words=writer.damage or "")
 
     def _new_writer(self, fields: command_fields.RunFields) -> RunWriter:
         setup = self._loop.setup
@@ -127,14 +127,7 @@ class Runs:
             require_room(folder)
             return RunWriter(folder, meta, len(shirt.layout.channels), len(gestures))
         except OSError as error:
-            raise CommandRefused(
-                f"The recording cannot be begun ({error.strerror or error}): free some disk space."
-            ) from error
-
-
-def _words(writer: RunWriter) -> JsonDocument | str:
-    """Return what is wrong with a recording, empty while it is whole."""
-    return "" if writer.damage is None else to_document(writer.damage)
+            raise CommandRefused(Text("drives-cannot-record", problem=error.strerror or str(error))) from error
 
 
 def require_room(folder: Path) -> None:
@@ -142,7 +135,4 @@ def require_room(folder: Path) -> None:
     place = next(place for place in (folder, *folder.parents) if place.exists())
     free = shutil.disk_usage(place).free
     if free < ROOM_TO_RECORD:
-        raise CommandRefused(
-            f"Only {free / 1e6:.0f} MB are free on the disk of the recordings, and nothing may be lost of a drive: "
-            f"free {ROOM_TO_RECORD / 1e6:.0f} MB, then begin again."
-        )
+        raise CommandRefused(Text("drives-disk-full", free=Figure(free / 1e6), needed=Figure(ROOM_TO_RECORD / 1e6)))

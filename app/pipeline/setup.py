@@ -16,16 +16,17 @@ from app.hardware.shirt.kind import ShirtConfig
 from app.json_values import JsonDocument
 from app.messages import HeadPose, Tick
 from app.pipeline.chain import Chain
-from app.pipeline.opening import DeviceChange, close_quietly, one_line, open_device
+from app.pipeline.opening import DeviceChange, close_quietly, message_of, open_device
 from app.source import UNKNOWN, Source
 from app.speed_limits import HIGHEST_SPEEDS, Speeds
+from app.texts import Text, text_of
 from app.world.floorplan import FloorPlan, PrescribedPath
 from app.world.movers import Track
 from app.world.progress import leader_of
 
 IDLE_RATE = 50.0  # Hz: how often the loop turns while there is no shirt
-NO_SHIRT = "No shirt is connected: choose one on the Shirt page."
-NO_TRACKER = "No head tracker is connected: the view looks straight ahead."
+NO_SHIRT = Text("drives-no-shirt")
+NO_TRACKER = Text("drives-no-tracker")
 
 
 class HeadTracking:
@@ -35,13 +36,13 @@ class HeadTracking:
         self._clock = clock
         self._tracker: HeadTracker | None = None
         self._ahead = (0.0, 0.0, 0.0)  # yaw, pitch, roll (rad) of the pose that counts as straight ahead
-        self._failed = ""
+        self._failed: Text | None = None
         self.kind = ""
 
     @property
-    def description(self) -> str:
+    def description(self) -> Text:
         """The tracker's state in words."""
-        return self._failed or (str(self._tracker.description()) if self._tracker else NO_TRACKER)
+        return self._failed or (self._tracker.description() if self._tracker else NO_TRACKER)
 
     def change(self, config: HeadConfig | None) -> DeviceChange:
         """Release the head tracker in use, and return the change that opens another one."""
@@ -89,7 +90,7 @@ class HeadTracking:
     def _release_tracker(self) -> HeadTracker | None:
         """Release the head tracker in use and return it, still open."""
         before, self._tracker = self._tracker, None
-        self.kind = self._failed = ""
+        self.kind, self._failed = "", None
         self._ahead = (0.0, 0.0, 0.0)
         return before
 
@@ -100,7 +101,7 @@ class HeadTracking:
             return self._tracker.newest()
         except Exception as error:  # whatever a device does, the loop turns on
             tracker, self._tracker = self._tracker, None
-            self._failed = f"The head tracker failed ({one_line(str(error)) or type(error).__name__}): choose it again."
+            self._failed = Text("drives-tracker-failed", problem=message_of(error) or type(error).__name__)
             close_quietly(tracker)
             return None
 
@@ -124,8 +125,8 @@ class Setup:
         self.head = HeadTracking(clock)
         self.shirt: Shirt | None = None
         self.shirt_kind = ""
-        self.mistrust = NO_SHIRT  # why the shirt in use arms no real chair, empty when it may
-        self._shirt_failed = ""  # why the shirt in use was released, empty when it was not
+        self.mistrust: Text | None = NO_SHIRT  # why the shirt in use arms no real chair, None when it may
+        self._shirt_failed: Text | None = None  # why the shirt in use was released, None when it was not
         self.body_kind: str | None = None  # of the body inside the simulated shirt
         self.simulated_shirt: ShirtWithBody | None = None  # the shirt in use, when it is the simulated one
         self.parameters: DriveParameters | None = None
@@ -156,9 +157,9 @@ class Setup:
         return self.shirt if isinstance(self.shirt, NetworkShirt) else None
 
     @property
-    def shirt_description(self) -> str:
+    def shirt_description(self) -> Text:
         """The shirt's state in words."""
-        return str(self.shirt.description()) if self.shirt else self._shirt_failed or NO_SHIRT
+        return self.shirt.description() if self.shirt else self._shirt_failed or NO_SHIRT
 
     @property
     def source(self) -> Source:
@@ -177,9 +178,9 @@ class Setup:
         return "virtual" if self.link is None else "udp"
 
     @property
-    def chair_description(self) -> str:
+    def chair_description(self) -> Text:
         """The chair's state in words."""
-        return str(self.link.description()) if self.link else f"The virtual chair, moving as a {self._dynamics}."
+        return Text("drives-virtual-chair", dynamics=self._dynamics) if self.link is None else self.link.description()
 
     @property
     def dynamics(self) -> Dynamics | None:
@@ -194,7 +195,7 @@ class Setup:
     def require_still(self) -> None:
         """Raise CommandRefused while the chair moves or may move."""
         if self.chain.gate.state in (State.ARMED, State.CHECKING) or not self.stands:
-            raise CommandRefused("The chair is armed: end the drive first.")
+            raise CommandRefused(Text("drives-armed"))
 
     def change_shirt(self, config: ShirtConfig) -> DeviceChange:
         """Release the shirt in use, and return the change that opens another one."""
@@ -207,7 +208,7 @@ class Setup:
 
         def use(shirt: Shirt) -> None:
             self.shirt, self.shirt_kind = shirt, config.kind
-            self.mistrust = str(SHIRTS[config.kind].mistrust(config) or "")
+            self.mistrust = SHIRTS[config.kind].mistrust(config)
             self.simulated_shirt = cast(ShirtWithBody, shirt) if config.kind == "simulator" else None
             if self.parameters is not None and self._misfit(self.parameters):
                 self.parameters = self.hash = None
@@ -219,7 +220,7 @@ class Setup:
         """Release a shirt whose driver failed; without frames the gate stops the chair, as with a silent shirt."""
         failed, self.shirt, self.simulated_shirt = self.shirt, None, None
         self.mistrust = NO_SHIRT
-        self._shirt_failed = f"The shirt failed ({one_line(str(error)) or type(error).__name__}): choose it again."
+        self._shirt_failed = Text("drives-shirt-failed", problem=message_of(error) or type(error).__name__)
         close_quietly(failed)
 
     def close(self) -> None:
@@ -232,7 +233,7 @@ class Setup:
         """Return the change to another body inside the simulated shirt."""
         self.require_still()
         if self.simulated_shirt is None:
-            raise CommandRefused("Only the simulated shirt has a body to choose: choose the simulated shirt first.")
+            raise CommandRefused(Text("drives-no-body"))
         return DeviceChange("body", lambda: make_body(config), lambda body: self._use_body(body, config.kind))
 
     def change_chair(self, config: ChairConfig) -> DeviceChange:
@@ -246,20 +247,20 @@ class Setup:
     def use_clinic(self, speeds: Speeds) -> None:
         """Set the clinic's limits: lower ones at once, higher ones only while nothing moves."""
         if not self.chain.set_clinic(speeds):
-            raise CommandRefused("Limits are raised only while the chair stands and nobody moves: end the drive first.")
+            raise CommandRefused(Text("drives-limits-while-moving"))
         self._clinic = speeds
 
     def use_dial(self, share: float) -> None:
         """Set the speed dial: a lower share at once, a higher share only while nothing moves."""
         if not self.chain.set_dial(share):
-            raise CommandRefused("The dial is turned up only while the chair stands and the patient is at rest.")
+            raise CommandRefused(Text("drives-dial-while-moving"))
         self._dial = share
 
     def use_parameters(self, parameters: DriveParameters | None) -> None:
         """Use these parameters from now on; None: none."""
         self.require_still()
-        misfit = self._misfit(parameters) if parameters is not None else ""
-        if misfit:
+        misfit = self._misfit(parameters) if parameters is not None else None
+        if misfit is not None:
             raise CommandRefused(misfit)
         self.parameters = parameters
         self.hash = parameters.hash if parameters else None
@@ -270,7 +271,7 @@ class Setup:
         self.require_still()
         if self.link is not None:
             if floorplan is not None:
-                raise CommandRefused("A real chair drives in no floor plan: choose the virtual chair first.")
+                raise CommandRefused(Text("drives-plan-on-real-chair"))
             return
         chosen = None
         if floorplan is not None:
@@ -278,7 +279,7 @@ class Setup:
                 chosen = floorplan.path_named(path) if path else floorplan.paths[0]
                 chair = VirtualChair(floorplan, chosen.start, self._dynamics)
             except ValueError as error:
-                raise CommandRefused(f"{error}.") from error
+                raise CommandRefused(Text("drives-problem", problem=text_of(error))) from error
         else:
             chair = VirtualChair(None, ORIGIN, self._dynamics)
         self.floorplan, self.path, self.chair = floorplan, chosen, chair
@@ -293,7 +294,7 @@ class Setup:
     def _release_shirt(self) -> Shirt | None:
         """Release the shirt in use and return it, still open."""
         before, self.shirt, self.simulated_shirt, self.body_kind = self.shirt, None, None, None
-        self.shirt_kind = self._shirt_failed = ""
+        self.shirt_kind, self._shirt_failed = "", None
         self.mistrust = NO_SHIRT
         self._make_chain()
         return before
@@ -321,18 +322,16 @@ class Setup:
         self.chair = VirtualChair(self.floorplan, self.path.start if self.path else ORIGIN, dynamics)
         self._make_chain()
 
-    def _misfit(self, parameters: DriveParameters) -> str:
-        """Return in a sentence why parameters cannot decode the frames of the shirt; empty when they can."""
+    def _misfit(self, parameters: DriveParameters) -> Text | None:
+        """Return in a sentence why parameters cannot decode the frames of the shirt; None when they can."""
         if self.shirt is None:
-            return ""
+            return None
         if self.shirt.layout.channel_names != parameters.profile.layout.channel_names:
-            return "These controls were made for a shirt with other sensors: calibrate with this shirt."
-        if self.sample_rate <= 2.0 * parameters.cutoff:  # no filter has a cutoff above half the sample rate
-            return (
-                f"Tremor damping of {parameters.cutoff:g} Hz needs more than {2 * parameters.cutoff:g} frames a "
-                f"second, and this shirt sends {self.sample_rate:g}: set a lower one on the Controls page."
-            )
-        return ""
+            return Text("drives-other-sensors")
+        cutoff, rate = parameters.cutoff, self.sample_rate
+        if rate <= 2.0 * cutoff:  # no filter has a cutoff above half the sample rate
+            return Text("drives-cutoff-too-high", cutoff=cutoff, least=2.0 * cutoff, rate=rate)
+        return None
 
     def _make_chain(self) -> None:
         """Make a new chain; keep a latched fault, the count of stops and the limits."""

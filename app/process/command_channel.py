@@ -7,11 +7,13 @@ from contextlib import suppress
 from typing import TypeAlias
 
 from app.json_values import JsonDocument
+from app.texts import Text, from_document, to_document
 
 CHUNK = 65_536  # bytes read from the socket at once
 LONGEST_LINE = 16_000_000  # bytes; a floor plan's document has at most 8 MB
 ANSWER_LIMIT = 10.0  # s; opening a device may take several
 NO_ANSWER = 0  # the id of a command that gets no answer
+PROCESS_ENDED = Text("drives-process-ended")
 
 Message: TypeAlias = JsonDocument
 
@@ -63,7 +65,7 @@ class CommandServer:
         """Answer a command with its results."""
         self._send({"id": command_id, "ok": True, **fields}, command_id)
 
-    def refuse(self, command_id: int, sentence: str) -> None:
+    def refuse(self, command_id: int, sentence: Text | str) -> None:
         """Answer a command with one sentence on why it was not carried out."""
         self._send({"id": command_id, "ok": False, "error": sentence}, command_id)
 
@@ -80,16 +82,13 @@ class CommandServer:
         if isinstance(command, dict) and isinstance(command.get("id"), int) and isinstance(command.get("do"), str):
             return command
         command_id = command.get("id") if isinstance(command, dict) else None
-        self.refuse(
-            command_id if isinstance(command_id, int) else -1,
-            "This is no command: send one JSON object a line, with a whole number 'id' and a word 'do'.",
-        )
+        self.refuse(command_id if isinstance(command_id, int) else -1, Text("drives-not-a-command"))
         return None
 
     def _send(self, message: Message, command_id: int) -> None:
         if command_id == NO_ANSWER or self.closed:
             return
-        line = json.dumps(message, separators=(",", ":")).encode() + b"\n"
+        line = json.dumps(message, separators=(",", ":"), default=to_document).encode() + b"\n"
         try:
             sent = self._socket.send(line)
         except OSError:
@@ -142,11 +141,11 @@ class ControlClient:
             self._write({"id": command_id, "do": do, **fields})
             message = await asyncio.wait_for(answer, limit)
         except TimeoutError as late:
-            raise LinkLost(f"The control process did not answer '{do}' within {limit:g} seconds.") from late
+            raise LinkLost(Text("drives-process-silent", command=do, seconds=limit)) from late
         finally:
             self._waiting.pop(command_id, None)
         if not message.get("ok"):
-            raise LinkRefused(str(message.get("error", "The control process refused without saying why.")))
+            raise LinkRefused(from_document(message["error"]) if "error" in message else Text("drives-no-reason"))
         return message
 
     def send(self, do: str, **fields: object) -> None:
@@ -163,7 +162,7 @@ class ControlClient:
 
     def _write(self, message: Message) -> None:
         if self.closed:
-            raise LinkLost("The control process has ended, and a new one starts: try again in a moment.")
+            raise LinkLost(PROCESS_ENDED)
         self._writer.write(json.dumps(message, separators=(",", ":"), allow_nan=False).encode() + b"\n")
 
     async def _read(self) -> None:
@@ -179,6 +178,4 @@ class ControlClient:
             self._closed.set()
             for answer in self._waiting.values():
                 if not answer.done():
-                    answer.set_exception(
-                        LinkLost("The control process has ended, and a new one starts: try again in a moment.")
-                    )
+                    answer.set_exception(LinkLost(PROCESS_ENDED))

@@ -13,6 +13,7 @@ import numpy as np
 
 from app.process.command_channel import ANSWER_LIMIT, ControlClient, LinkLost, Message
 from app.process.ring import TickRing, Ticks
+from app.texts import Text
 
 START_LIMIT = 20.0  # s: enough for a cold start from a slow disk
 # s, of commands whose answers have a limit of their own. `end_run` answers after the recording has been made compact.
@@ -89,7 +90,7 @@ class ControlProcess:
         except (LinkLost, OSError) as error:
             await client.close()
             await _end(launch.process)
-            raise LinkLost("The control process did not start: look for its message on the console.") from error
+            raise LinkLost(Text("drives-process-not-started")) from error
         # Both processes have the memory open: without a name it is freed however the processes end.
         ring.unlink()
         return cls(launch.process, client, ring)

@@ -25,6 +25,7 @@ from app.store.log import write_log
 from app.store.map_versions import go_back, save_adapted
 from app.store.practice import PracticeHistory
 from app.store.tables import Patient, PatientSession, Trial
+from app.texts import Text, text_of
 
 logger = logging.getLogger("bodydrive")
 
@@ -32,21 +33,20 @@ Mode = Literal["off", "suggest", "auto"]
 
 STANDSTILL = 0.01  # m/s and rad/s
 
-LESS_WELL = "When a trial on the virtual chair shows that the calibration fits less well"
-NOT_ASKED: dict[str, str] = {
-    "off": "This patient's calibration stays as it is: look now, or choose that changes are suggested.",
-    "suggest": f"{LESS_WELL}, this page shows what would change.",
-    "auto": f"{LESS_WELL}, this page shows what changes.",
+NOT_ASKED: dict[str, Text] = {
+    "off": Text("visit-adapt-off"),
+    "suggest": Text("visit-adapt-suggest"),
+    "auto": Text("visit-adapt-auto"),
 }
-NOT_NOW = "You left it as it is: it is looked at again after the next trial."
-NO_TRIALS = "Nothing was driven with this calibration yet: drive a trial on the virtual chair, then look again."
-LEFT_OFF = "Somebody drives: it is looked at again after the trial."
-SWITCHED = "The calibration no longer adapts by itself: look at the proposal, then decide."
-STALE = "The controls or the trials were changed since this was proposed: look again, then decide."
-GONE = "This proposal no longer exists: look again, then decide."
-REAL_CHAIR = "A real chair is chosen, and nothing is adapted there: choose the virtual one first."
-NOT_STILL = "The chair is armed or moves: end the trial or drive, then apply."
-LARGE = "The patient would feel it: 5 % or more. So it waits until somebody looks at it and applies it."
+NOT_NOW = Text("visit-adapt-not-now")
+NO_TRIALS = Text("visit-adapt-no-trials")
+LEFT_OFF = Text("visit-adapt-left-off")
+SWITCHED = Text("visit-adapt-switched")
+STALE = Text("visit-adapt-stale")
+GONE = Text("visit-adapt-gone")
+REAL_CHAIR = Text("visit-adapt-real-chair")
+NOT_STILL = Text("visit-adapt-not-still")
+LARGE = Text("visit-adapt-large")
 
 
 @dataclass(frozen=True, slots=True)
@@ -59,7 +59,7 @@ class AdaptationProposal:
     base_hash: str  # of the parameter set that it would change
     result: AdaptationResult
     applied: int | None = None  # the version that it became
-    reason: str = ""  # why it was not applied by itself, in a sentence
+    reason: Text | str | None = None  # why it was not applied by itself
 
 
 class AdaptationFlow:
@@ -88,7 +88,7 @@ class AdaptationFlow:
         self._tasks: set[asyncio.Task[None]] = set()
         self._newest: AdaptationProposal | None = None
         self._read = NOTHING_READ
-        self._reasons: dict[int, str] = {}  # patient id -> sentence: why there is no proposal
+        self._reasons: dict[int, Text | str] = {}  # patient id -> why there is no proposal
         self.practice = PracticeHistory()
         trials.when_finished(self.trial_over)
 
@@ -102,21 +102,21 @@ class AdaptationFlow:
         newest = self._newest
         return newest if newest is not None and newest.patient_id == patient_id else None
 
-    def reason_for_none(self, patient_id: int) -> str:
-        """Return in a sentence why the patient has no proposal; empty when none was tried."""
-        return self._reasons.get(patient_id, "")
+    def reason_for_none(self, patient_id: int) -> Text | str | None:
+        """Return in a sentence why the patient has no proposal; None when none was tried."""
+        return self._reasons.get(patient_id)
 
-    def refusal(self) -> str | None:
+    def refusal(self) -> Text | None:
         """Return in a sentence why nothing may be applied at this moment, None when it may."""
         if self._chairs.chosen is not None:
             return REAL_CHAIR
         tick = self._control.newest()
         if tick is None:
-            return "The control process is being restarted: wait a moment, then try again."
+            return Text("visit-adapt-restarting")
         if tick["chair_kind"]:
             return REAL_CHAIR
         if tick["state"] == State.FAULT:
-            return "A stop is still in force: take it back first, then apply."
+            return Text("visit-adapt-stopped")
         moves = max(abs(float(tick[name])) for name in ("v", "omega", "driven_v", "driven_omega")) > STANDSTILL
         return NOT_STILL if moves or tick["state"] != State.DISARMED else None
 
@@ -132,13 +132,13 @@ class AdaptationFlow:
         if self._chairs.chosen is not None:
             raise Conflict(REAL_CHAIR)
         async with self._one_at_a_time:
-            self._session.refuse_while_busy("look what would change")
+            self._session.refuse_while_busy(Text("visit-then-look"))
             await asyncio.to_thread(self._propose, session.patient_id, session.id)
         self._notify("adaptation")
 
     async def apply(self, proposal: str, person: str | None) -> int:
         """Make a proposal the patient's next map, and return the version; `person` None: it applies by itself."""
-        async with self._session.undisturbed("apply the adapted calibration"):
+        async with self._session.undisturbed(Text("visit-then-apply")):
             self._require_standstill()
             session = await self._session.needed_session()
             version = await asyncio.to_thread(self._save, session, proposal, person)
@@ -149,7 +149,7 @@ class AdaptationFlow:
 
     async def back(self, person: str) -> int:
         """Go back to the map before the current one, and return the version that it becomes."""
-        async with self._session.undisturbed("go back"):
+        async with self._session.undisturbed(Text("visit-then-go-back")):
             session = await self._session.needed_session()
             version = await asyncio.to_thread(self._back, session, person)
             await self._session.try_load_parameters()
@@ -206,7 +206,7 @@ class AdaptationFlow:
             await self.apply(waiting.id, None)
         except Refusal as refusal:
             if self._newest is waiting:
-                self._newest = replace(waiting, reason=str(refusal))
+                self._newest = replace(waiting, reason=text_of(refusal))
 
     def _require_standstill(self) -> None:
         refusal = self.refusal()
@@ -271,7 +271,7 @@ class AdaptationFlow:
                 felt_change=change.felt_change,
                 hash=change.parameters.hash,
             )
-        self._newest = replace(waiting, applied=row.version, reason="")
+        self._newest = replace(waiting, applied=row.version, reason=None)
         return row.version
 
     def _back(self, session: PatientSession, person: str) -> int:

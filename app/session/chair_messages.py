@@ -9,6 +9,7 @@ from pydantic import BaseModel, ConfigDict
 from app.hardware.chair.link_texts import reason_text
 from app.hardware.chair.reasons import Reason
 from app.pipeline.safety_gate import CHAIR_SILENT
+from app.texts import Text
 
 StateName = Literal["disarmed", "checking", "armed", "fault"]
 ChairState = Literal["silent", StateName]
@@ -16,9 +17,9 @@ STATE_NAMES: tuple[StateName, ...] = get_args(StateName)  # by their number: of 
 CHAIR_FAULT = 3  # index of "fault" in STATE_NAMES
 
 
-def fault_sentence(fault: int) -> str:
+def fault_sentence(fault: int) -> Text:
     """Return the sentence for the fault number of a chair whose state is "fault"."""
-    return str(reason_text(fault) or "The chair reports a fault that this program does not know.")
+    return reason_text(fault) or Text("visit-chair-unknown-fault")
 
 
 def is_silent(tick: np.void) -> bool:
@@ -38,18 +39,17 @@ class ChairMoment(BaseModel):
     stop_input: bool = False
     v: float = 0.0  # m/s
     omega: float = 0.0  # rad/s
-    message: str  # empty when there is nothing to say
+    message: Text | str  # empty when there is nothing to say
 
 
 def chair_report(tick: np.void) -> ChairMoment:
     """Return the fields of a real chair in a tick (`app.messages.TICK`)."""
     state, fault = int(tick["chair_state"]), int(tick["chair_fault"])
+    message: Text | str = ""
     if is_silent(tick):
-        message = "The chair does not answer: check its power and the network."
-    elif state == CHAIR_FAULT:
+        message = Text("visit-chair-silent")
+    elif state == CHAIR_FAULT or fault != Reason.NONE:
         message = fault_sentence(fault)
-    else:
-        message = "" if fault == Reason.NONE else fault_sentence(fault)
     return ChairMoment(
         state="silent" if is_silent(tick) else STATE_NAMES[min(state, CHAIR_FAULT)],
         age=_number(tick["chair_age"]),

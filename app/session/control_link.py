@@ -13,6 +13,7 @@ from numpy.typing import NDArray
 from app.clock import monotonic
 from app.process.command_channel import LinkLost, LinkRefused, Message
 from app.refusals import Conflict, Unavailable
+from app.texts import Text, text_of
 
 Answer = TypeVar("Answer")
 
@@ -160,16 +161,16 @@ class ControlLink:
         process = self._process
         opening = do in OPENING
         if process is None or self._thread is None or self.state != "alive":
-            raise Unavailable("The control process is being restarted, and the chair stands: try again in a moment.")
+            raise Unavailable(Text("drives-process-restarting"))
         self._opening += opening
         try:
             return await self._thread.run(process.call(do, **fields))
         except LinkRefused as refusal:
-            raise Conflict(str(refusal)) from refusal
+            raise Conflict(text_of(refusal)) from refusal
         except LinkLost as lost:
             # It might still execute the command later, and begin a run without a row in the database.
             process.kill()
-            raise Unavailable("The control process did not answer, and the chair stands: try again.") from lost
+            raise Unavailable(Text("drives-process-no-answer")) from lost
         finally:
             self._opening -= opening
 

@@ -19,14 +19,15 @@ from app.store.database import Database
 from app.store.parameters import as_document, current_parameters, newest_profile
 from app.store.patients import open_session
 from app.store.tables import PatientSession
+from app.texts import Text
 
-SILENT = "The shirt sends no signals: the Shirt page says what arrives from it."
+SILENT = Text("visit-shirt-silent")
 
 
 class DriveObstacle(NamedTuple):
     """Why a parameter set cannot drive in the shirt in use, in one sentence, and the page on which that is mended."""
 
-    sentence: str
+    sentence: Text | str
     page: Literal["shirt", "calibrate", "controls"]
 
 
@@ -59,7 +60,7 @@ class SessionFlow:
         self.patient_id: int | None = None
 
     @asynccontextmanager
-    async def undisturbed(self, what: str) -> AsyncIterator[None]:
+    async def undisturbed(self, what: Text) -> AsyncIterator[None]:
         """Refuse during a step, a trial or a drive, and let none of them begin inside the `async with` block.
 
         `what` completes the refusal: "..., then WHAT." Two screens may ask at the same moment: without the lock, the
@@ -89,14 +90,14 @@ class SessionFlow:
         """Whether nobody wears the shirt in use, None while there is none; may be read from any thread."""
         return self._equipment.simulated
 
-    def refuse_while_busy(self, what: str) -> None:
+    def refuse_while_busy(self, what: Text) -> None:
         """Raise Conflict during a step, a trial or a drive; `what` completes the sentence: "..., then WHAT."."""
         flows: tuple[RunFlow[Any], ...] = (self._trials, self._drives, *self._others)
         for flow in flows:
             if flow.running:
-                raise Conflict(f"{flow.messages.running}, then {what}.")
+                raise Conflict(Text("visit-busy", running=flow.messages.event, then=what))
         if self._calibration.running:
-            raise Conflict(f"A calibration step is running: wait for its end, or cancel it, then {what}.")
+            raise Conflict(Text("visit-busy", running="step", then=what))
 
     async def needed_session(self) -> PatientSession:
         """Return the open session; Conflict when there is none."""
@@ -108,7 +109,7 @@ class SessionFlow:
 
         session = await asyncio.to_thread(_read)
         if session is None:
-            raise Conflict("No session is open: choose a patient on the Patients page first.")
+            raise Conflict(Text("visit-nobody"))
         return session
 
     async def session_changed(self) -> None:
@@ -117,7 +118,7 @@ class SessionFlow:
         await self.try_load_parameters()
         self._notify("session")
 
-    async def load_parameters(self) -> str | None:
+    async def load_parameters(self) -> Text | str | None:
         """Load the current parameters into the control process; return in one sentence why they cannot drive."""
         # Otherwise a restarted control process would be given the parameters of the patient before.
         self._control.forget("parameters")
@@ -149,7 +150,7 @@ class SessionFlow:
         if self._equipment.silent:
             return DriveObstacle(SILENT, "shirt")
         misfit = self._misfit(parameters, simulated=simulated)
-        brake = missing_brake(parameters) if misfit is None else ""
+        brake = missing_brake(parameters) if misfit is None else None
         return DriveObstacle(brake, "controls") if brake else misfit
 
     def _misfit(self, parameters: DriveParameters, *, simulated: bool | None) -> DriveObstacle | None:
@@ -157,11 +158,11 @@ class SessionFlow:
         if layout is None:
             return DriveObstacle(self._equipment.failure or NO_SHIRT, "shirt")
         if simulated and not self._equipment.simulated:
-            reason = "The patient's calibration is one of a shirt that nobody wore: calibrate in the worn shirt first."
+            reason = Text("visit-calibrated-unworn")
         elif layout.channel_names != parameters.profile.layout.channel_names:
-            reason = "The patient was calibrated in another shirt: calibrate in this one first."
+            reason = Text("visit-calibrated-in-another")
         elif abs(self._equipment.sample_rate - parameters.profile.sample_rate) > 0.01 * parameters.profile.sample_rate:
-            reason = "The shirt sends at another rate than it was calibrated at: calibrate again first."
+            reason = Text("visit-calibrated-at-another-rate")
         else:
             return None
         return DriveObstacle(reason, "calibrate")

@@ -9,6 +9,7 @@ from app.store.database import Transaction
 from app.store.patients import open_session
 from app.store.people import the_clinic
 from app.store.tables import Patient, PatientSession
+from app.texts import Text
 
 
 class PageSession(NamedTuple):
@@ -32,19 +33,22 @@ def require_page_session(db: Transaction) -> None:
     before = None if page.id is None else db.get(PatientSession, page.id)
     if before is not None and before.clinic_id != clinic.id:
         before = None
-    raise Conflict(f"{_open_sentence(db, now)} {_page_sentence(db, before)}")
+    raise Conflict(Text("visit-another-session", now=_open_sentence(db, now), page=_page_sentence(db, before)))
 
 
-def _open_sentence(db: Transaction, now: PatientSession | None) -> str:
+def _open_sentence(db: Transaction, now: PatientSession | None) -> Text:
     if now is None:
-        return "The session was ended on another screen, and no session is open now."
-    by = f" by {now.opened_by}" if now.opened_by else ""
-    return f"{_code(db, now)} was opened on another screen{by} at {_clock(now.started)}."
+        return Text("visit-session-ended")
+    code, time = _code(db, now), _clock(now.started)
+    if now.opened_by:
+        return Text("visit-session-opened-by", code=code, person=now.opened_by, time=time)
+    return Text("visit-session-opened", code=code, time=time)
 
 
-def _page_sentence(db: Transaction, before: PatientSession | None) -> str:
-    belongs = "to no session" if before is None else f"to {_code(db, before)}"
-    return f"What this page shows belongs {belongs} and can no longer be sent: load the page again."
+def _page_sentence(db: Transaction, before: PatientSession | None) -> Text:
+    if before is None:
+        return Text("visit-page-of-no-session")
+    return Text("visit-page-of-session", code=_code(db, before))
 
 
 def _code(db: Transaction, session: PatientSession) -> str:

@@ -21,17 +21,11 @@ from app.store.parameters import as_document, current_parameters, newest_profile
 from app.store.patients import open_session
 from app.store.practice import NO_PRACTICE, Practice, PracticeHistory
 from app.store.tables import PatientSession
+from app.texts import Text, text_of
 
-NOBODY = "No session is open: choose a patient on the Patients page first."
-NOT_CALIBRATED = "Nothing is calibrated yet: calibrate first, and tap “Use this calibration”."
-NO_CHAIR = "The virtual chair is chosen: choose a real one first."
-NOT_PRACTISED = (
-    "This set was never practised on the virtual chair of this clinic: finish a trial with it first, and let it count."
-)
-SHOW_THE_SWITCH = (
-    "With “Keeps its speed” or “Keeps turning” a chair goes on by itself: press and release its stop switch once to "
-    "show that it works, or choose “Follows the movement” on the Controls page."
-)
+NO_CHAIR = Text("drives-virtual-chair-chosen")
+NOT_PRACTISED = Text("drives-not-practised")
+SHOW_THE_SWITCH = Text("drives-show-the-switch")
 
 
 @dataclass(frozen=True, slots=True)
@@ -45,7 +39,7 @@ class ArmingSummary:
     practice: Practice
     last_practised: DriveParameters | None
     differences: list[Difference]  # of `parameters` from `last_practised`
-    refusals: list[str]  # why the chair cannot be armed, in sentences
+    refusals: list[Text | str]  # why the chair cannot be armed
 
 
 @dataclass(frozen=True, slots=True)
@@ -109,12 +103,12 @@ class RealArming:
         tick = self._control.newest()
         return apply_dial(self._without_dial(parameters.speeds), 1.0 if tick is None else float(tick["dial"]))
 
-    def _patient_refusals(self, stored: _StoredSet) -> list[str]:
+    def _patient_refusals(self, stored: _StoredSet) -> list[Text | str]:
         if stored.session is None:
-            return [NOBODY]
+            return [Text("visit-nobody")]
         if stored.parameters is None:
-            return [NOT_CALIBRATED]
-        refusals = []
+            return [Text("visit-not-calibrated")]
+        refusals: list[Text | str] = []
         obstacle = self._session.obstacle(stored.parameters, simulated=stored.simulated)
         if obstacle is not None:
             refusals.append(obstacle.sentence)
@@ -127,7 +121,7 @@ class RealArming:
             refusals.append(NOT_PRACTISED)
         return refusals
 
-    async def _chair_refusals(self, parameters: DriveParameters | None) -> list[str]:
+    async def _chair_refusals(self, parameters: DriveParameters | None) -> list[Text | str]:
         if self._chairs.chosen is None:
             return [NO_CHAIR]
         tick = self._control.newest()
@@ -137,19 +131,19 @@ class RealArming:
         try:
             status = await self._control.call("status")
         except Refusal as lost:
-            return [str(lost)]
+            return [text_of(lost)]
         return [] if status["chair"].get("switch_seen") else [SHOW_THE_SWITCH]
 
-    def _chair_refusal(self, name: str, tick: np.void | None) -> str:
+    def _chair_refusal(self, name: str, tick: np.void | None) -> Text | str | None:
         if tick is None:
-            return "The control process is being restarted: wait a moment."
+            return Text("drives-wait-for-process")
         if not tick["chair_kind"]:
             return self._chairs.not_open
         if is_silent(tick):
-            return f"{name} does not answer: check its power and the network."
+            return Text("drives-chair-silent", name=name)
         if tick["stop_input"]:
-            return f"The stop switch of {name} is pressed: look around, then release it."
-        return fault_sentence(int(tick["chair_fault"])) if int(tick["chair_state"]) == CHAIR_FAULT else ""
+            return Text("drives-stop-switch-pressed", name=name)
+        return fault_sentence(int(tick["chair_fault"])) if int(tick["chair_state"]) == CHAIR_FAULT else None
 
     def _read(self) -> _StoredSet:
         simulated = self._equipment.simulated

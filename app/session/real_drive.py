@@ -15,6 +15,7 @@ from app.session.runs import SessionRun
 from app.store.drives import add_drive, finish_drive
 from app.store.log import write_log
 from app.store.tables import Drive, DriveEnding, PairedChair, PatientSession, Run
+from app.texts import Text
 
 
 class DriveWatch:
@@ -50,10 +51,8 @@ class RealDriveFlow(RunFlow[RunningDrive]):
 
     messages = FlowMessages(
         event="drive",
-        running="The real chair is armed: end the drive first",
-        to_start="arm the chair",
-        not_running="The chair is not being driven: arm it first.",
-        still_closing="The recording is still being closed: look at the drive again in a moment.",
+        not_running=Text("visit-no-drive"),
+        still_closing=Text("visit-drive-still-closing"),
     )
 
     async def start(

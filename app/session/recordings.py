@@ -28,18 +28,19 @@ from app.recording.recorded_trajectory import since_armed
 from app.scoring.control_quality import ControlQuality, control_quality
 from app.scoring.task_measures import task_measures
 from app.session.calibration.step_check import advice_of, check_frames
+from app.texts import Text, text_of
 from app.world.floorplan import FloorPlan, PrescribedPath
 
 MEASURES_VERSION = 1  # measures of an older version are computed again
 
 
-def check_recording(folder: Path, duration: float) -> str | None:
+def check_recording(folder: Path, duration: float) -> Text | str | None:
     """Return in one sentence why a step's recording cannot be used, None when it can."""
     run = read_run(folder)
     if run.damage:
         return str(run.damage)
     if run.dropped:
-        return f"{run.dropped} ticks were lost while recording: close other programs, then repeat this step."
+        return Text("visit-ticks-lost", count=run.dropped)
     return check_frames(run.frames()["run_t"], duration, float(run.meta["sample_rate"]))
 
 
@@ -80,19 +81,21 @@ def fit_recordings(
     return with_best_maps(with_prior_maps(profile, prior, recording, as_worn).profile)
 
 
-def judge_step(layout: ShirtLayout, recorded: list[tuple[Step, Path]], unused: list[str], step: Step) -> str:
-    """Return why a step has to be repeated, in the words of the result; an empty string when it need not be.
+def judge_step(
+    layout: ShirtLayout, recorded: list[tuple[Step, Path]], unused: list[str], step: Step
+) -> Text | str | None:
+    """Return why a step has to be repeated, in the words of the result; None when it need not be.
 
     It is fitted with the rest and the free movement alone; nothing is said before both are recorded.
     """
     kinds = {other.kind for other, _ in recorded}
     if step.kind == "rest" or not {"rest", "free"} <= kinds:
-        return ""
+        return None
     pieces = _pieces([(other, folder) for other, folder in recorded if other.kind != "prompt" or other.id == step.id])
     try:
         profile = fit_profile(pieces.clean(layout, unused))
     except ValueError as error:
-        return str(error)
+        return text_of(error)
     return advice_of(profile, step)
 
 
@@ -156,7 +159,7 @@ def measure_again(folder: Path) -> JsonDocument:
     """Return the measures of a trial by its recording alone; ValueError when it does not hold the plan and the path."""
     meta = read_run(folder, ["t"]).meta
     if not meta.get("floorplan"):
-        raise ValueError("The recording does not hold the floor plan of its trial: it cannot be measured again.")
+        raise ValueError(Text("visit-recording-without-plan"))
     plan = FloorPlan.model_validate(meta["floorplan"])
     return measure_recording(folder, plan, plan.path_named(meta["path"]))
 
@@ -165,7 +168,7 @@ def quality_of_recording(folder: Path) -> ControlQuality:
     """Return how well the map of a trial fitted it; ValueError when the recording does not name its parameters."""
     run = read_run(folder)
     if not run.meta.get("parameters"):
-        raise ValueError("The recording does not say with what parameters it was driven: it cannot be judged.")
+        raise ValueError(Text("visit-recording-without-parameters"))
     rows = run.frames()
     line = since_armed(run.columns)
     return control_quality(

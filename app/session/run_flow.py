@@ -5,7 +5,7 @@ from abc import ABC, abstractmethod
 from collections.abc import AsyncIterator, Callable, Mapping
 from contextlib import asynccontextmanager, suppress
 from dataclasses import dataclass
-from typing import ClassVar, Generic, NamedTuple, Protocol, TypedDict, TypeVar
+from typing import ClassVar, Generic, Literal, NamedTuple, Protocol, TypedDict, TypeVar
 
 import numpy as np
 from numpy.typing import NDArray
@@ -18,6 +18,7 @@ from app.session.control_link import ControlLink
 from app.session.run_watch import RunLost, follow_run
 from app.session.runs import SessionRun, SessionRuns
 from app.store.database import Database
+from app.texts import Text
 from app.world.cursor_task import CursorTask
 
 STOP_LIMIT = 1.5  # s for closing a run when the application ends; then it stays without figures
@@ -64,11 +65,9 @@ class RunFigures(TypedDict, total=False):
 class FlowMessages(NamedTuple):
     """The messages of a flow, and the event by which pages are notified of it."""
 
-    event: str
-    running: str  # "RUNNING, then start a trial."
-    to_start: str  # "..., then start a trial."
-    not_running: str
-    still_closing: str
+    event: Literal["trial", "drive", "test"]  # also chooses the sentences "visit-busy" and "visit-already-recorded"
+    not_running: Text
+    still_closing: Text
 
 
 class RunFlow(ABC, Generic[Current]):
@@ -139,7 +138,7 @@ class RunFlow(ABC, Generic[Current]):
     async def _alone(self) -> AsyncIterator[None]:
         """Refuse to start beside another recording, and let no other start meanwhile."""
         if self.running or self._runs.open is not None:
-            raise Conflict(f"Something is being recorded already: end it first, then {self.messages.to_start}.")
+            raise Conflict(Text("visit-already-recorded", start=self.messages.event))
         self._starting = True
         try:
             await asyncio.to_thread(self._computing.begin)

@@ -18,6 +18,7 @@ from app.store.database import Database
 from app.store.log import log_once
 from app.store.runs import add_run, close_run, open_runs, run_folders
 from app.store.tables import PatientSession
+from app.texts import Text
 from app.world.cursor_task import CursorPlan
 
 NAMELESS: Final = "recordings without a row"
@@ -65,7 +66,7 @@ class SessionRuns:
         Conflict when somebody wears the shirt and the patient has not consented to recording.
         """
         if self.open is not None or self._beginning:
-            raise Conflict("Something is being recorded already: wait for its end, or stop it first.")
+            raise Conflict(Text("visit-recording"))
         self._beginning = True
         try:
             if self._is_simulated() is False:

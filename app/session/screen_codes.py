@@ -7,6 +7,7 @@ from datetime import datetime, timedelta
 
 from app.clock import monotonic, utc_now
 from app.refusals import Conflict
+from app.texts import Text
 
 # 40 bits, typed in a moment. A machine may try ten wrong codes a minute: while a code is valid, even a thousand
 # machines hit it once in ten million times. No letter looks like a digit.
@@ -15,7 +16,7 @@ CODE_LENGTH = 8
 LOOK_ALIKES = str.maketrans("OIL", "011")
 VALID_FOR = 600.0  # s
 
-WRONG = "This code is wrong, used or older than 10 minutes: ask for a new one on the clinician's page."
+WRONG = Text("visit-code-wrong")
 
 
 @dataclass(frozen=True, slots=True)

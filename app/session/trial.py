@@ -20,6 +20,7 @@ from app.store.log import write_log
 from app.store.parameters import as_document, current_parameters
 from app.store.runs import add_trial, finish_trial
 from app.store.tables import PatientSession, Run, Trial, TrialEnding
+from app.texts import Text
 from app.world.floorplan import FloorPlan, PrescribedPath
 from app.world.movers import Track
 from app.world.progress import leader_of, progress_of
@@ -114,10 +115,8 @@ class TrialFlow(RunFlow[RunningTrial]):
 
     messages = FlowMessages(
         event="trial",
-        running="A trial is running: end it first",
-        to_start="start a trial",
-        not_running="No trial is running: start one first.",
-        still_closing="The trial is still being measured: look at it again in a moment.",
+        not_running=Text("visit-no-trial"),
+        still_closing=Text("visit-trial-still-measured"),
     )
 
     async def start(self, session: PatientSession, starter: Starter, plan: FloorPlan, path: PrescribedPath) -> int:

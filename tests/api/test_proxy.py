@@ -20,6 +20,7 @@ from app.api.nearby import is_nearby
 from app.api.own_address import own_address
 from app.api.proxy import INCOMPLETE, NOT_ENCRYPTED, NOT_THE_PROXY, ForwardingError, forwarded
 from app.settings import Settings
+from app.texts import Text
 
 NAME = "clinic.example.org:8443"
 PROXY = ip_network("127.0.0.1")
@@ -68,11 +69,11 @@ def test_of_several_addresses_the_one_that_the_proxy_added_counts() -> None:
     ],
 )
 def test_anything_else_is_refused_in_a_sentence(
-    sender: tuple[str, int] | None, headers: list[tuple[str, str]], sentence: str
+    sender: tuple[str, int] | None, headers: list[tuple[str, str]], sentence: Text
 ) -> None:
     with pytest.raises(ForwardingError) as refused:
         forwarded(scope_of(sender, headers), PROXY)
-    assert str(refused.value) == sentence
+    assert str(refused.value) == str(sentence)
 
 
 LATIN = st.text(st.characters(max_codepoint=255))
@@ -118,9 +119,9 @@ def test_a_page_signs_in_by_the_name_of_the_proxy(behind: Clinic) -> None:
     assert f"wss://{NAME}" in answer.headers["content-security-policy"]
     # another name that resolves to the proxy (DNS rebinding), and another page
     foreign = enter(**{"X-Forwarded-Host": "evil.example", "Origin": "https://evil.example"})
-    assert (foreign.status_code, foreign.json()["detail"]) == (421, NOT_OURS)
+    assert (foreign.status_code, foreign.json()["detail"]) == (421, str(NOT_OURS))
     other = enter(Origin="http://127.0.0.1:8080")
-    assert (other.status_code, other.json()["detail"]) == (403, NOT_OUR_PAGE)
+    assert (other.status_code, other.json()["detail"]) == (403, str(NOT_OUR_PAGE))
 
 
 def test_wrong_codes_are_counted_by_the_browser_s_address(behind: Clinic) -> None:
@@ -135,7 +136,7 @@ def test_wrong_codes_are_counted_by_the_browser_s_address(behind: Clinic) -> Non
 def test_no_page_is_served_past_the_proxy_and_the_answer_has_its_headers(behind: Clinic) -> None:
     for path in ("/", "/api/v1/auth/me"):
         answer = behind.client.get(path)
-        assert (answer.status_code, answer.json()["detail"]) == (403, INCOMPLETE)
+        assert (answer.status_code, answer.json()["detail"]) == (403, str(INCOMPLETE))
         assert answer.headers["x-content-type-options"] == "nosniff"
 
 

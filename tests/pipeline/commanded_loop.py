@@ -11,6 +11,7 @@ from app.pipeline.commands import Commands
 from app.pipeline.loop import ControlLoop
 from app.pipeline.setup import Setup
 from app.process.command_channel import NO_ANSWER, CommandServer
+from app.texts import from_document
 from building import make_parameters, make_ring, make_signals
 
 
@@ -25,7 +26,7 @@ class CommandedLoop:
         self.setup = Setup(self.clock)
         layout = self.parameters.profile.layout
         self.setup.shirt = ScriptedShirt(self.clock, [i / 100 for i in range(2000)], signals, layout=layout)
-        self.setup.mistrust = ""  # as for a shirt with a key
+        self.setup.mistrust = None  # as for a shirt with a key
         self.setup.use_parameters(self.parameters)
         self.loop = ControlLoop(self.setup, self.ring, None, self.clock)
         self._ours, theirs = socket.socketpair()
@@ -54,8 +55,9 @@ class CommandedLoop:
     def refused(self, do, **fields):
         answer = self.ask(do, **fields)
         assert not answer["ok"]
-        assert "\n" not in answer["error"]
-        return answer["error"]
+        sentence = str(from_document(answer["error"]))
+        assert "\n" not in sentence
+        return sentence
 
     def done(self, do, **fields):
         answer = self.ask(do, **fields)

@@ -77,7 +77,7 @@ def test_a_tracker_that_fails_is_let_go_and_said(head, monkeypatch):
     use(head)
     assert all(map(math.isnan, noted(head)))
     assert broken.closed
-    assert head.description == "The head tracker failed (no more): choose it again."
+    assert str(head.description) == "The head tracker failed (no more): choose it again."
     assert all(map(math.isnan, noted(head)))
     head.close()
     assert head.description == NO_TRACKER
@@ -103,4 +103,4 @@ def test_a_tracker_that_fails_even_to_close_is_let_go(head, monkeypatch):
     monkeypatch.setattr("app.pipeline.setup.make_head", lambda _config, _clock: Stuck())
     use(head)
     assert all(map(math.isnan, noted(head)))
-    assert "no more" in head.description
+    assert "no more" in str(head.description)

@@ -156,7 +156,7 @@ def test_a_shirt_whose_driver_fails_is_let_go_and_the_ticks_go_on(ring):
     ticks = ticks_of(loop, 5)
     assert ticks["has_frame"].tolist() == [1, 1, 0, 0, 0, 0, 0]
     assert loop.setup.shirt is None
-    assert loop.setup.shirt_description == "The shirt failed (the cable burnt): choose it again."
+    assert str(loop.setup.shirt_description) == "The shirt failed (the cable burnt): choose it again."
 
 
 ANNA = {"name": "anna", "kind": "person", "points": [[2, 0], [6, 0]], "pace": [[0, 0.5]]}

@@ -9,6 +9,7 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from app.process.command_channel import LONGEST_LINE, CommandServer, ControlClient, LinkLost, LinkRefused
+from app.texts import from_document
 
 
 @pytest.fixture
@@ -76,7 +77,7 @@ def test_junk_is_refused_and_what_follows_is_done(pair, junk):
     assert taken == [{"id": 3, "do": "stop"}]
     refusals = answers(ours)
     assert [refused["ok"] for refused in refusals] == [False]
-    assert "This is no command" in refusals[0]["error"]
+    assert "This is no command" in str(from_document(refusals[0]["error"]))
 
 
 def test_a_line_without_end_is_cut_off(pair):

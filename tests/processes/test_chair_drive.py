@@ -14,6 +14,7 @@ from app.clock import monotonic
 from app.faults import Fault, State
 from app.hardware.chair.reasons import DESCRIPTIONS, Reason
 from app.recording.reader import read_run
+from app.texts import from_document
 from building import make_parameters
 from event_loop import in_event_loop
 
@@ -77,7 +78,7 @@ async def test_from_refusals_to_a_drive_and_its_recording(chair, tmp_path):
         assert "changed meanwhile" in await refusal(control, "arm", hash="0" * 64)
         status = await control.call("status")
         assert status["chair"]["kind"] == "udp"
-        assert "Salon at 127.0.0.1" in status["chair"]["words"]
+        assert "Salon at 127.0.0.1" in str(from_document(status["chair"]["words"]))
         assert status["dial"] == 1.0
         chair.press(True)
         await tick_with(control, lambda tick: tick["stop_input"] == 1)
@@ -184,7 +185,8 @@ async def test_a_receiver_that_is_killed_is_silent_and_one_that_is_back_is_armed
         assert "does not answer" in await refusal(control, "clear", stops=int(tick["stops"]))
         await asyncio.to_thread(chair.start)
         await tick_with(control, lambda tick: tick["chair_age"] < 0.3)
-        assert "press and release" not in (await control.call("status"))["chair"]["words"]
+        status = await control.call("status")
+        assert "press and release" not in str(from_document(status["chair"]["words"]))
         await clear(control)
         await armed(control, CRUISING.hash)
         assert not any(line["v"] for line in chair.since(last + 1.0))

@@ -187,7 +187,7 @@ def test_a_clinic_is_used_through_the_proxy(proxy: Proxy, certificate: Path, tmp
                 with Browser(port, certificate / "certificate.pem") as visitor:
                     look_from_elsewhere(browser, visitor)
             past_the_proxy = httpx.get(f"http://127.0.0.1:{upstream}/")
-            assert (past_the_proxy.status_code, past_the_proxy.json()["detail"]) == (403, INCOMPLETE)
+            assert (past_the_proxy.status_code, past_the_proxy.json()["detail"]) == (403, str(INCOMPLETE))
         served.terminate()
         _, errors = served.communicate(timeout=30)
     assert served.returncode == 0

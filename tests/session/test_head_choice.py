@@ -55,7 +55,7 @@ def test_one_that_is_not_there_in_the_morning_stays_chosen_and_says_why(stored: 
     assert (chosen.config, chosen.failure) == (SIMULATED, "Check its cable.")
     control.reason = ""
     asyncio.run(chosen.use(SIMULATED))
-    assert chosen.failure == ""
+    assert chosen.failure is None
 
 
 def test_one_that_is_refused_leaves_none(stored: Database) -> None:

@@ -6,6 +6,7 @@ from typing import Annotated, Any
 from pydantic import Field
 
 from app.api.live.hub import LiveHub
+from app.texts import Text
 
 EVENT = "graphics"  # on the live sockets: count your pictures, and answer
 ANSWER_LIMIT = 4.0  # s; the pages count for two seconds
@@ -18,10 +19,10 @@ class Graphics:
 
     def __init__(self, *hubs: LiveHub[Any]) -> None:
         self._hubs = hubs
-        self._names: dict[object, str] = {}
+        self._names: dict[object, Text] = {}
         self._rates: dict[object, float] = {}
 
-    def opened(self, socket: object, name: str) -> None:
+    def opened(self, socket: object, name: Text) -> None:
         """Store whose screen has opened a live socket."""
         self._names[socket] = name
 
@@ -34,7 +35,7 @@ class Graphics:
         """Store the pictures a second of a screen."""
         self._rates[socket] = rate
 
-    async def ask(self) -> list[tuple[str, float | None]]:
+    async def ask(self) -> list[tuple[Text, float | None]]:
         """Return the name of each open screen and its pictures a second, None for one that did not answer."""
         self._rates.clear()
         for hub in self._hubs:

@@ -16,16 +16,10 @@ from app.texts import Text, current_language
 CHECK_EVERY: Final = 0.05  # s between two checks whether a chair is armed
 START_LIMIT: Final = 30.0  # s for the process to start, beside the time that it measures
 
-BUSY = (
-    "A chair is armed or something is recorded, and measuring takes time from the control loop: "
-    "measure when that is over."
-)
-INTERRUPTED = (
-    "A chair was armed or a recording began, so the measuring ended, because it takes time from the control loop: "
-    "measure again when that is over."
-)
-UNDER_WAY = "This computer is being measured already: wait until that is over."
-FAILED = "This computer could not be measured: try again, or run 'bodydrive check' on it to see why."
+BUSY = Text("api-measuring-while-busy")
+INTERRUPTED = Text("api-measuring-interrupted")
+UNDER_WAY = Text("api-measuring-already")
+FAILED = Text("api-measuring-failed")
 
 
 class FindingView(Answer):

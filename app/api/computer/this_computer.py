@@ -50,7 +50,8 @@ async def measure(
         answers = await asking
     finally:
         asking.cancel()
-    return ComputerView(machine=machine, screens=[FindingView.of(screen_finding(name, rate)) for name, rate in answers])
+    screens = [FindingView.of(screen_finding(str(name), rate)) for name, rate in answers]
+    return ComputerView(machine=machine, screens=screens)
 
 
 def _own_ports(settings: Settings) -> list[int]:

@@ -15,6 +15,7 @@ from app.store.log import log_viewing
 from app.store.patients import find_patient
 from app.store.runs import trials_of
 from app.store.tables import Trial
+from app.texts import Text
 from app.world.floorplan import FloorPlan
 from app.world.scene import DrivingPlace
 from app.world.task_groups import TaskGroup, group_of
@@ -100,11 +101,9 @@ def needed_plan(places: ClinicPlaces, name: str) -> FloorPlan:
         plan = places.plan(name)
     except ValueError as error:
         reason = str(error).removeprefix(f"{places.folder / name}.json").lstrip(":, ")
-        raise HTTPException(
-            409, f"The floor plan '{name}' cannot be used: {reason}, then save or import it again."
-        ) from error
+        raise HTTPException(409, Text("api-plan-unusable", name=name, problem=reason)) from error
     if plan is None:
-        raise NotFound(f"There is no floor plan '{name}': choose one of the list.")
+        raise NotFound(Text("api-no-plan", name=name))
     return plan
 
 

@@ -35,6 +35,7 @@ from app.session.run_flow import RunFlow
 from app.session.run_watch import Halt
 from app.session.runs import SessionRuns
 from app.session.trial import TrialFlow
+from app.texts import Text
 
 STALE = 1.0  # s without a tick, after which the control process counts as lost
 LOOK_BACK = 1.0  # s of frames for the condition of the channels
@@ -131,7 +132,7 @@ class LivePicture:
         """Return the condition and the noise of every channel over the last second, and the shirt's state in words."""
         layout = self._equipment.layout
         if layout is None:
-            return Quality(quality=[], noise=[], shirt_words=self._equipment.failure)
+            return Quality(quality=[], noise=[], shirt_words=self._equipment.failure or "")
         frames = self._frames(len(layout.channels))
         tick = self._control.newest()
         estimated = 0 if tick is None else int(tick["estimated"])
@@ -221,7 +222,7 @@ class LivePicture:
         if self._chairs.chosen is None:
             return None
         if tick is None:
-            return ChairMoment(message="The control process is being restarted.")
+            return ChairMoment(message=Text("api-process-restarting"))
         return chair_report(tick) if tick["chair_kind"] else ChairMoment(message=self._chairs.not_open)
 
     def _real_drive(self) -> DriveMoment | None:

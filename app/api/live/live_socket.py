@@ -19,6 +19,7 @@ from app.session.control_link import ControlLink
 from app.session.open_session import SessionFlow
 from app.store.database import Database
 from app.store.log import log_viewing
+from app.texts import Text
 
 logger = logging.getLogger("bodydrive")
 
@@ -110,7 +111,7 @@ async def live(
     viewing = LiveViewing(database, sockets, session_flow, websocket, person.name)
     viewer = Viewer(websocket, viewing.may_see)
     async with sockets.guarded(websocket, person):
-        graphics.opened(websocket, f"The page of {person.name}")
+        graphics.opened(websocket, Text("api-page-of", name=person.name))
         sending = asyncio.create_task(live.serve(viewer))
         try:
             while True:

@@ -160,4 +160,4 @@ class Quality(MessagePart):
 
     quality: list[str] = Field(description="The condition of each channel.")
     noise: list[Number] = Field(description="Of each channel, in units of its signal.")
-    shirt_words: str = Field(description="The state of the shirt.")
+    shirt_words: Text | str = Field(description="The state of the shirt.")

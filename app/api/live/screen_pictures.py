@@ -6,21 +6,15 @@ from app.api.live.screens import Screen
 from app.faults import State
 from app.session.control_link import ControlLink
 from app.session.trial import TrialFlow
+from app.texts import Text
 
 Picture = Literal["view", "plan", "none"]
 ScreenPicture = Picture | Literal["late"]  # late: older than what can be driven by; it pauses a trial (S7)
 
 MAY_MOVE = frozenset({State.CHECKING, State.ARMED})
-NO_PICTURE = (
-    "This screen has no picture, and nobody drives blind: "
-    "wait until the 3D view is there, or choose the drawn plan on the Drive page."
-)
-NO_PICTURE_FOR_PATIENT = (
-    "The patient's screen has no picture, and nobody drives blind: wait until it has one, or unpair that screen."
-)
-PATIENTS_SCREEN_AWAY = (
-    "The patient's screen, which this trial uses, is out of reach: bring it back, or unpair it, then tap Continue."
-)
+NO_PICTURE = Text("api-no-picture")
+NO_PICTURE_FOR_PATIENT = Text("api-no-picture-for-patient")
+PATIENTS_SCREEN_AWAY = Text("api-patients-screen-away")
 
 
 class ScreenPictures:
@@ -87,17 +81,17 @@ class ScreenPictures:
     def _note_late(self) -> None:
         self._late = frozenset(screen for screen, picture in self._screens.values() if picture == "late")
 
-    def refusal(self, screen: Screen) -> str:
-        """Return why nobody may drive from this screen, in a sentence; empty when there is a picture."""
+    def refusal(self, screen: Screen) -> Text | None:
+        """Return why nobody may drive from this screen, in a sentence; None when there is a picture."""
         return NO_PICTURE if self.is_late(screen) else self._blindness(screen)
 
-    def _blindness(self, screen: Screen) -> str:
+    def _blindness(self, screen: Screen) -> Text | None:
         if (screen, "none") in self._screens.values():
             return NO_PICTURE
         if "none" in self.patients().values():
             return NO_PICTURE_FOR_PATIENT
         trial = self._trials.current
-        return PATIENTS_SCREEN_AWAY if trial is not None and trial.id in self._away.values() else ""
+        return PATIENTS_SCREEN_AWAY if trial is not None and trial.id in self._away.values() else None
 
     def _halt_if_blind(self) -> None:
         # Checked with every report, not only with a changed one: a trial may begin, or go on, between two reports.

@@ -18,6 +18,7 @@ from app.clock import monotonic
 from app.quantities import Document
 from app.store.access.visible_patients import every_patient
 from app.store.patient_screens import screen_settings_of
+from app.texts import Text
 
 router = APIRouter()
 
@@ -60,7 +61,7 @@ async def patient_live(
     await websocket.accept()
     viewer = Viewer(websocket)
     async with sockets.guarded(websocket, screen):
-        graphics.opened(websocket, "A patient's screen")
+        graphics.opened(websocket, Text("api-patients-screen"))
         live.notify("screens")
         sending = asyncio.create_task(patient_hub.serve(viewer))
         try:

@@ -49,13 +49,11 @@ from app.store.patient_screens import (
     unpair_screen,
 )
 from app.store.tables import PatientSession
+from app.texts import Text
 
 router = APIRouter(prefix="/patient-screen", tags=["patient's screen"])
 
-ONLY_HERE = (
-    "Only this machine can open the link, because the program serves no other. For a screen of its own, end the "
-    "program and start it with bodydrive serve --lan."
-)
+ONLY_HERE = Text("api-screen-only-here")
 
 
 class ScreenView(Document):
@@ -82,7 +80,7 @@ class OfferView(Document):
     url: str
     qr: str
     expires: str
-    message: str
+    message: Text | str
 
 
 class Code(Document):
@@ -162,11 +160,11 @@ async def offer(
         url=url,
         qr=qr_picture(url),
         expires=offered.expires.isoformat(),
-        message=_words(settings, only_here=address.only_here),
+        message=_hint(settings, only_here=address.only_here),
     )
 
 
-def _words(settings: Settings, *, only_here: bool) -> str:
+def _hint(settings: Settings, *, only_here: bool) -> Text | str:
     network = settings.network
     if network is None:
         return ONLY_HERE if only_here else ""

@@ -37,9 +37,10 @@ from app.settings import Settings
 from app.store.log import write_log
 from app.store.runs import find_trial
 from app.store.tables import Trial
+from app.texts import Text
 
 MARK = "Replay"
-BUSY = "Somebody drives: choose Plan, or wait until the drive is over."
+BUSY = Text("api-replay-while-driving")
 MOMENTS_PER_SECOND = 20.0
 
 Word = Annotated[str, Path(pattern=r"^[A-Za-z0-9_-]{8,64}$")]
@@ -133,7 +134,7 @@ def _replay_of(settings: Settings, computing: ComputingProcess, runs: SessionRun
         plan, poses = computing.ask(recorded_poses, runs.folder_of(trial.run_id), MOMENTS_PER_SECOND)
         return Replay(plan, trial.path, ReplayPoses(*poses), settings.models)
     except (ValueError, OSError) as error:
-        raise NotFound("There is no picture of this trial: its recording cannot be read, or names no place.") from error
+        raise NotFound(Text("api-no-replay")) from error
 
 
 page = ViewPage(client_page(MARK))

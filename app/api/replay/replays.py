@@ -7,6 +7,7 @@ from dataclasses import dataclass
 
 from app.refusals import NotFound
 from app.scene.replay import Replay
+from app.texts import Text
 
 MOST = 2  # open at once: each draws a whole building. A further one closes the least recently used
 
@@ -41,7 +42,7 @@ class Replays:
         with self._lock:
             opened = self._open.get(word)
             if opened is None or opened.person_id != person_id:
-                raise NotFound("This replay was closed: open it again.")
+                raise NotFound(Text("api-replay-closed"))
             self._open[word] = self._open.pop(word)
         return opened.replay
 

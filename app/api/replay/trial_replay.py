@@ -10,6 +10,7 @@ from app.scoring.timeline import Timeline
 from app.store.log import write_log
 from app.store.runs import find_trial
 from app.store.tables import Trial
+from app.texts import Text
 
 router = APIRouter(tags=["review"])
 
@@ -17,7 +18,7 @@ router = APIRouter(tags=["review"])
 def require_ended(trial: Trial) -> None:
     """Refuse while a trial runs: its recording is not whole."""
     if trial.status != "done":
-        raise Conflict("This trial is still running: look at it when it has ended.")
+        raise Conflict(Text("api-trial-still-running"))
 
 
 @router.get("/trials/{trial_id}/timeline", response_model=Timeline)
@@ -38,7 +39,7 @@ def trial_timeline(
     try:
         packed = timelines.of(folder, trial.path_points, trial.end)
     except (ValueError, OSError) as error:
-        raise NotFound("The recording of this trial cannot be read: restore it from a backup.") from error
+        raise NotFound(Text("api-recording-unreadable")) from error
     with database.transaction(closing=True) as db:
         write_log(db, person.name, "trial viewed", trial=trial_id)
     headers = {"Cache-Control": "private, no-cache", "Vary": "Accept-Encoding"}

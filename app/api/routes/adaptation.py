@@ -27,7 +27,7 @@ from app.texts import Text, from_document
 
 router = APIRouter(tags=["adaptation"])
 
-NOT_CALIBRATED = "Nothing is calibrated yet: calibrate first, and tap “Use this calibration”."
+NOT_CALIBRATED = Text("visit-not-calibrated")
 
 
 class AdaptationModeChoice(Document):
@@ -61,7 +61,7 @@ class ProposalView(Document):
     joints: list[JointView]
     effect: Effect | None  # predicted by replaying the last trial; None when that was not possible
     applied: int | None
-    message: str  # why it was not applied by itself
+    message: Text | str  # why it was not applied by itself
 
 
 class AdaptationView(Document):
@@ -73,8 +73,8 @@ class AdaptationView(Document):
     practised: int  # kept trials on the virtual chair with exactly this set: a real one arms no other
     back_to: int | None  # the version that going back restores
     proposal: ProposalView | None
-    why: str  # why there is no proposal, or nothing to apply
-    refusal: str | None  # why nothing may be applied at this moment
+    why: Text | str  # why there is no proposal, or nothing to apply
+    refusal: Text | None  # why nothing may be applied at this moment
     looking: bool  # a proposal is being made
 
 
@@ -112,7 +112,7 @@ def _proposal_view(waiting: AdaptationProposal, labels: dict[str, str]) -> Propo
         joints=[JointView(**dict(joint), label=labels.get(joint.name, joint.name)) for joint in proposal.joints],
         effect=waiting.result.effect,
         applied=waiting.applied,
-        message=waiting.reason,
+        message=waiting.reason or "",
     )
 
 
@@ -133,7 +133,8 @@ def _view(db: Transaction, flow: AdaptationFlow, patient_id: int, *, simulated: 
         return view
     row, profile = current_parameters(db, patient_id)
     parameters = as_document(row, profile)
-    waiting, why = flow.proposal_for(patient_id), ""
+    waiting = flow.proposal_for(patient_id)
+    why: Text | str = ""
     if waiting is None:
         why = flow.reason_for_none(patient_id) or NOT_ASKED[mode]
     elif waiting.applied is not None:

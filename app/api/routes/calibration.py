@@ -24,6 +24,7 @@ from app.store.database import Database
 from app.store.log import write_log
 from app.store.parameters import save_parameters, save_profile
 from app.store.tables import PatientSession
+from app.texts import Text
 
 router = APIRouter(prefix="/calibration", tags=["calibration"])
 
@@ -83,7 +84,7 @@ async def start_step(
     step: StepName, _person: ClinicianInSession, calibration_flow: CalibrationFlowPart, session_flow: SessionFlowPart
 ) -> CalibrationView:
     """Record a step, for the first time or again."""
-    async with session_flow.undisturbed("start a step"):
+    async with session_flow.undisturbed(Text("visit-then-step")):
         session = await session_flow.needed_session()
         await calibration_flow.start(session.id, step)
     return await _view(calibration_flow, session)
@@ -104,7 +105,7 @@ async def skip_step(
     step: StepName, _person: ClinicianInSession, calibration_flow: CalibrationFlowPart, session_flow: SessionFlowPart
 ) -> CalibrationView:
     """Skip a prompted movement that this patient cannot make."""
-    async with session_flow.undisturbed("skip a step"):
+    async with session_flow.undisturbed(Text("visit-then-skip")):
         session = await session_flow.needed_session()
         await calibration_flow.skip(session.id, step)
     return await _view(calibration_flow, session)
@@ -125,7 +126,7 @@ async def begin_anew(
     _person: ClinicianInSession, calibration_flow: CalibrationFlowPart, session_flow: SessionFlowPart
 ) -> CalibrationView:
     """Begin the calibration anew; earlier recordings no longer count."""
-    async with session_flow.undisturbed("begin anew"):
+    async with session_flow.undisturbed(Text("visit-then-begin-anew")):
         session = await session_flow.needed_session()
         await calibration_flow.restart(session.id)
     return await _view(calibration_flow, session)
@@ -144,10 +145,10 @@ async def choose(
 
     409 where the map is not offered.
     """
-    async with session_flow.undisturbed("choose a calibration"):
+    async with session_flow.undisturbed(Text("visit-then-map")):
         session = await session_flow.needed_session()
         if calibration_flow.running:
-            raise Conflict("A step is being recorded, or the calibration is being worked out: wait for its end.")
+            raise Conflict(Text("api-calibration-busy"))
         await asyncio.to_thread(choose_map, database, session.id, body.joint, body.map)
     live.notify("calibration")
     return await _view(calibration_flow, session)
@@ -167,10 +168,10 @@ async def say_how_it_sits(
     `is_right` true: the shirt sits right although a ring looks turned or mirrored; the map is fitted anew. 409 where it
     sits as on other people. A new free movement forgets it.
     """
-    async with session_flow.undisturbed("say how the shirt sits"):
+    async with session_flow.undisturbed(Text("visit-then-sitting")):
         session = await session_flow.needed_session()
         if calibration_flow.running:
-            raise Conflict("A step is being recorded, or the calibration is being worked out: wait for its end.")
+            raise Conflict(Text("api-calibration-busy"))
         await asyncio.to_thread(
             override_rotation, database, session.id, body.joint, person.name, is_right=body.is_right
         )
@@ -191,7 +192,7 @@ async def drive_now(
 
     409 before rest and free movement, or with fewer than four other people.
     """
-    async with session_flow.undisturbed("drive now"):
+    async with session_flow.undisturbed(Text("visit-then-drive-now")):
         session = await session_flow.needed_session()
         await calibration_flow.fit_from_others(session.id)
         await _accept(person, database, calibration_flow, session_flow, session)
@@ -209,7 +210,7 @@ async def fit_earlier(
 
     409 before rest and free movement, without an earlier calibration in this shirt, or with a ring turned since.
     """
-    async with session_flow.undisturbed("fit the calibration"):
+    async with session_flow.undisturbed(Text("visit-then-fit")):
         session = await session_flow.needed_session()
         await calibration_flow.fit_earlier(session.id, person.name)
         await session_flow.try_load_parameters()
@@ -227,7 +228,7 @@ async def accept(
     live: LivePart,
 ) -> CalibrationView:
     """Save the profile as the patient's newest, and load standard parameters on it."""
-    async with session_flow.undisturbed("use this calibration"):
+    async with session_flow.undisturbed(Text("visit-then-accept")):
         session = await session_flow.needed_session()
         await _accept(person, database, calibration_flow, session_flow, session)
         await calibration_flow.learn(session.id)
@@ -246,9 +247,9 @@ async def _accept(
     progress = await calibration_flow.progress(session.id)
     profile = progress.profile
     if profile is None:
-        raise Conflict("There is no result yet: do every step first.")
+        raise Conflict(Text("visit-no-result"))
     if progress.accepted:
-        raise Conflict("This calibration is in use already: go on to the controls, or repeat a step.")
+        raise Conflict(Text("api-calibration-in-use"))
 
     def _save() -> None:
         with database.transaction() as db:

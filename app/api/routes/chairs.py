@@ -20,6 +20,7 @@ from app.store.chairs import chairs_of, find_chair
 from app.store.database import Database
 from app.store.log import write_log
 from app.store.tables import Clinic, PairedChair
+from app.texts import Text
 
 router = APIRouter(prefix="/chairs", tags=["chairs"])
 
@@ -58,7 +59,7 @@ class ChairsView(Document):
     chairs: list[ChairView]
     chosen: int | None
     dynamics: Dynamics
-    message: str
+    message: Text | str
 
 
 class PairedView(ChairsView):
@@ -133,7 +134,7 @@ async def unpair(
             chair = unpair_chair(db, settings.keys, chair_id)
             write_log(db, person.name, "chair unpaired", chair=chair.id, key_id=chair.key_id)
 
-    async with session_flow.undisturbed("unpair a chair"):
+    async with session_flow.undisturbed(Text("visit-then-unpair")):
         if chairs.chosen is not None and chairs.chosen.id == chair_id:
             await chairs.choose(None, chairs.dynamics)
         await asyncio.to_thread(_unpair)
@@ -146,7 +147,7 @@ async def choose(
     body: Choice, person: ClinicianInSession, database: Db, chairs: ChairsPart, session_flow: SessionFlowPart
 ) -> ChairsView:
     """Use another chair."""
-    async with session_flow.undisturbed("choose another chair"):
+    async with session_flow.undisturbed(Text("visit-then-chair")):
         chair = None if body.id is None else await asyncio.to_thread(_find, database, body.id)
         await chairs.choose(chair, body.dynamics)
     await asyncio.to_thread(_note, database, person, body)

@@ -133,7 +133,7 @@ class PatientControls:
                 write_log(db, person.name, what, patient=session.patient_id, parameters=row.id, hash=view.hash)
                 return view
 
-        async with self.session_flow.undisturbed("change the controls"):
+        async with self.session_flow.undisturbed(Text("visit-then-controls")):
             view = await asyncio.to_thread(write, await self.session_flow.needed_session())
             await self.session_flow.try_load_parameters()
         self.live.notify("controls")
@@ -194,7 +194,7 @@ def _whole(settings: dict[str, Any], profile: Profile) -> DriveParameters:
     try:
         return DriveParameters.model_validate({**settings, "profile": profile.document})
     except ValidationError as error:
-        raise HTTPException(422, one_sentence(error, "The controls")) from error
+        raise HTTPException(422, one_sentence(error, Text("api-the-controls"))) from error
 
 
 @router.post("/undo")

@@ -34,12 +34,13 @@ from app.store.database import Database
 from app.store.drives import drives_of, find_drive
 from app.store.log import log_viewing
 from app.store.patients import find_patient
+from app.texts import Text
 
 router = APIRouter(prefix="/drives", tags=["drives"])
 
 HEARD_WITHIN = 1.0  # s since the screen's last report; once armed, the gate watches it more strictly
-CHANGED = "The controls were changed meanwhile: read again what applies, then arm."
-NOT_IN_VIEW = "This screen has not said yet that it is in view: wait a moment, then arm again."
+CHANGED = Text("api-controls-changed")
+NOT_IN_VIEW = Text("api-not-in-view")
 
 
 class ChairSummary(Answer):
@@ -84,7 +85,7 @@ class Summary(Document):
     practised: PracticeView
     last_practised: LatestPractice | None
     differences: list[Difference]
-    refusals: list[str]
+    refusals: list[Text | str]
 
 
 class NewDrive(Document):
@@ -144,7 +145,7 @@ async def arm(
     building's network.
     """
     require_nearby(request)
-    async with session_flow.undisturbed("arm the chair"):
+    async with session_flow.undisturbed(Text("visit-then-arm")):
         now = await arming.summary()
         if now.refusals:
             raise Conflict(now.refusals[0])

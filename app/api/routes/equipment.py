@@ -40,7 +40,7 @@ from app.store.files.disk_watch import disk_room
 from app.store.files.name_conflicts import SameName, log_details
 from app.store.keeping.patient_files import add_patient_file
 from app.store.log import write_log
-from app.texts import from_document
+from app.texts import Text, from_document, text_of
 
 router = APIRouter(prefix="/equipment", tags=["equipment"])
 
@@ -60,25 +60,25 @@ class HeadTrackerChoice(Document):
 class StatusView(Document):
     """The state of the shirt and the control process."""
 
-    message: str
+    message: Text | str
     alive: bool
     sample_rate: float
     lost: int
-    realtime: list[str]
+    realtime: list[Text | str]
     control: str
 
 
 class ChairStateView(Document):
     """The state of the chair in use, in words."""
 
-    message: str
+    message: Text | str
 
 
 class HeadTrackerView(Document):
     """The head tracker in use."""
 
     config: dict[str, Any] | None
-    message: str
+    message: Text | str
 
 
 class DiskView(Document):
@@ -180,23 +180,23 @@ class EquipmentState:
             status = await self.control.call("status")
         except Refusal as refusal:
             return StatusView(
-                message=str(refusal),
+                message=text_of(refusal),
                 alive=False,
                 sample_rate=equipment.sample_rate,
                 lost=0,
                 realtime=[],
                 control=self.control.state,
-            ), HeadTrackerView(config=config, message=str(refusal))
+            ), HeadTrackerView(config=config, message=text_of(refusal))
         shirt = status.get("shirt") or {}
         view = StatusView(
-            message=equipment.failure or str(shirt.get("words", "")),
+            message=equipment.failure or from_document(shirt.get("words", "")),
             alive=bool(shirt.get("alive", False)),
             sample_rate=float(shirt.get("sample_rate") or equipment.sample_rate),
             lost=int(shirt.get("lost") or 0),
-            realtime=[str(from_document(text)) for text in status.get("realtime", [])],
+            realtime=[from_document(sentence) for sentence in status.get("realtime", [])],
             control=self.control.state,
         )
-        message = self.head.failure or str((status.get("head") or {}).get("words", ""))
+        message = self.head.failure or from_document((status.get("head") or {}).get("words", ""))
         return view, HeadTrackerView(config=config, message=message)
 
 
@@ -247,7 +247,7 @@ async def choose_shirt(
     `file` is a name from `files` of `GET /equipment`, `key_file` one from `shirt_keys`.
     """
     config = body.model_dump(mode="json")
-    async with session_flow.undisturbed("change the shirt"):
+    async with session_flow.undisturbed(Text("visit-then-shirt")):
         try:
             await equipment.use_shirt(config)
         finally:
@@ -274,7 +274,7 @@ async def choose_sender(
 
     It is logged.
     """
-    async with session_flow.undisturbed("change the shirt's sender"):
+    async with session_flow.undisturbed(Text("visit-then-sender")):
         await equipment.use_sender(body.sender)
     return await state.logged_view(person.name, "shirt's sender chosen", sender=body.sender)
 
@@ -288,7 +288,7 @@ async def choose_body(
     `file` is a name from `files` of `GET /equipment`.
     """
     config = body.model_dump(mode="json")
-    async with session_flow.undisturbed("change the body"):
+    async with session_flow.undisturbed(Text("visit-then-body")):
         await equipment.use_body(config)
     return await state.logged_view(person.name, "body chosen", kind=config["kind"])
 
@@ -302,7 +302,7 @@ async def choose_head(
     `file` is a name from `files` of `GET /equipment`.
     """
     config = None if body.config is None else body.config.model_dump(mode="json")
-    async with session_flow.undisturbed("change the head tracker"):
+    async with session_flow.undisturbed(Text("visit-then-head")):
         await head.use(config)
     return await state.logged_view(person.name, "head tracker chosen", kind=config["kind"] if config else None)
 
@@ -323,7 +323,7 @@ async def mark_unused(
     session_flow: SessionFlowPart,
 ) -> EquipmentView:
     """Mark channels as unused; the next calibration leaves them out."""
-    async with session_flow.undisturbed("change which sensors are used"):
+    async with session_flow.undisturbed(Text("visit-then-sensors")):
         await equipment.leave_unused(body.channels)
     return await state.logged_view(person.name, "channels marked", unused=equipment.unused)
 

@@ -18,6 +18,7 @@ from app.store.database import Database
 from app.store.files.name_conflicts import SameName, log_details
 from app.store.files.replacements import ReplacedFiles
 from app.store.log import write_log
+from app.texts import Text
 
 SUFFIX = ".glb"
 MOST_MODELS = 200
@@ -57,12 +58,12 @@ def _keep(
     """Store an object atomically, and return its name."""
     safe = harmless_name(file.filename or "")
     if Path(safe).suffix != SUFFIX:
-        raise HTTPException(415, f"'{safe}' is no GLB file: export the object as glTF binary (.glb).")
+        raise HTTPException(415, Text("api-no-glb", name=safe))
     if (file.size or 0) > MOST_BYTES:
-        raise HTTPException(413, f"'{safe}' is larger than {MOST_BYTES // 1_000_000} MB: make the object simpler.")
+        raise HTTPException(413, Text("api-glb-too-large", name=safe, megabytes=MOST_BYTES // 1_000_000))
     shelf.check_name("model", safe, same_name)
     if len(list(folder.glob(f"*{SUFFIX}"))) >= MOST_MODELS:
-        raise HTTPException(409, f"There are {MOST_MODELS} objects already: delete some in the folder 'models'.")
+        raise HTTPException(409, Text("api-too-many-objects", count=MOST_MODELS))
     with tempfile.TemporaryDirectory(prefix="bodydrive-model-") as apart:
         tried = Path(apart) / safe
         with tried.open("wb") as opened:

@@ -4,12 +4,13 @@ from typing import Literal
 
 from app.quantities import Document
 from app.session.open_session import DriveObstacle
+from app.texts import Text
 
 
 class ObstacleView(Document):
     """Why a parameter set cannot drive, and the page on which that is mended."""
 
-    message: str
+    message: Text | str
     page: Literal["shirt", "calibrate", "controls"]
 
     @classmethod

@@ -11,7 +11,7 @@ from fastapi import HTTPException, UploadFile
 
 from app.api.foreign_files import OneAtATime, read_or_refuse
 from app.api.routes.uploads import harmless_name
-from app.texts import current_language, from_document
+from app.texts import Text, current_language, from_document
 from app.world.imports.options import IMAGES, MAPS, SUFFIXES
 
 LARGEST = 20_000_000  # bytes
@@ -31,7 +31,7 @@ async def draft_of_uploads(files: list[UploadFile], options: str, readings: OneA
     try:
         import_options = json.loads(options)
     except (ValueError, RecursionError) as error:
-        raise HTTPException(422, "The import, options: this is not JSON: correct it.") from error
+        raise HTTPException(422, Text("api-options-not-json")) from error
     folder = Path(await asyncio.to_thread(tempfile.mkdtemp, prefix="bodydrive-import-"))
     try:
         stored = [await asyncio.to_thread(_keep, folder, number, file) for number, file in enumerate(files)]
@@ -53,12 +53,12 @@ def _keep(folder: Path, number: int, file: UploadFile) -> Path:
     name = harmless_name(file.filename or "")
     suffix = Path(name).suffix
     if suffix not in (*SUFFIXES, *PICTURES):
-        suffixes = ", ".join((*SUFFIXES, ".pgm"))
-        raise HTTPException(415, f"'{name}' is none of these: {suffixes}. Save it as one of them, then add it again.")
+        raise HTTPException(415, Text("api-wrong-plan-file", name=name, endings=", ".join((*SUFFIXES, ".pgm"))))
     content = file.file.read(LARGEST + 1)
-    if len(content) > LARGEST or (suffix in MAPS and len(content) > LARGEST_MAP):
-        most = "100 kB" if suffix in MAPS else f"{LARGEST // 1_000_000} MB"
-        raise HTTPException(413, f"'{name}' is larger than {most}: make it smaller, then add it again.")
+    if suffix in MAPS and len(content) > LARGEST_MAP:
+        raise HTTPException(413, Text("api-map-too-large", name=name))
+    if len(content) > LARGEST:
+        raise HTTPException(413, Text("api-plan-too-large", name=name, megabytes=LARGEST // 1_000_000))
     own_folder = folder / str(number)
     own_folder.mkdir()
     (own_folder / name).write_bytes(content)
@@ -72,9 +72,9 @@ def _plan_and_image(files: list[Path]) -> tuple[Path, Path | None]:
     if len(maps) == 1 and len(others) == 1 and others[0].suffix in PICTURES:
         return maps[0], others[0]
     if maps:
-        raise HTTPException(422, "A ROS map is two files: choose its .yaml and its picture together.")
+        raise HTTPException(422, Text("api-map-incomplete"))
     if len(others) != 1:
-        raise HTTPException(422, "One floor plan is made at a time: choose one file, or a map's two.")
+        raise HTTPException(422, Text("api-one-plan-at-a-time"))
     if others[0].suffix == ".pgm":
-        raise HTTPException(422, "A .pgm picture belongs to a map: choose its .yaml file as well.")
+        raise HTTPException(422, Text("api-map-picture-alone"))
     return others[0], None

@@ -15,9 +15,10 @@ from app.sentences import one_sentence
 from app.store.database import Database
 from app.store.files.name_conflicts import SameName, log_details
 from app.store.log import write_log
+from app.texts import Text
 from app.world.floorplan import ClearanceError, FloorPlan
 
-WHERE = "The floor plan"
+WHERE = Text("api-the-plan")
 MOST_PARTS = 250_000  # lists and objects of a document: far more than a building needs
 
 router = APIRouter(tags=["floor plans"])
@@ -35,7 +36,7 @@ class CheckView(Document):
     """Whether a floor plan is valid; if not, why, and where in the document and on the floor."""
 
     good: bool
-    sentence: str
+    sentence: Text | str
     place: list[int | str]
     at: tuple[float, float] | None  # m
 
@@ -49,11 +50,11 @@ class DraftView(Document):
     taken: list[str]
 
 
-def _too_many(content: bytes) -> str:
-    """Return why a document is too large to be parsed, which would block other requests; empty when it is not."""
+def _too_many(content: bytes) -> Text | None:
+    """Return why a document is too large to be parsed, which would block other requests; None when it is not."""
     if content.count(b"[") + content.count(b"{") > MOST_PARTS:
-        return f"{WHERE}: it has more than {MOST_PARTS:,} points and objects: make it simpler."
-    return ""
+        return Text("api-plan-too-many-parts", count=MOST_PARTS)
+    return None
 
 
 def _parsed(content: bytes) -> FloorPlan:
@@ -63,7 +64,7 @@ def _parsed(content: bytes) -> FloorPlan:
     try:
         return FloorPlan.model_validate_json(content)
     except ValidationError as error:
-        raise HTTPException(422, f"{one_sentence(error, WHERE)}.") from error
+        raise HTTPException(422, Text("api-problem", problem=one_sentence(error, WHERE))) from error
 
 
 def _checked(content: bytes) -> CheckView:
@@ -76,7 +77,7 @@ def _checked(content: bytes) -> CheckView:
         cause = first.get("ctx", {}).get("error")
         return CheckView(
             good=False,
-            sentence=f"{one_sentence(error, WHERE)}.",
+            sentence=Text("api-problem", problem=one_sentence(error, WHERE)),
             place=list(first["loc"]),
             at=(cause.x, cause.y) if isinstance(cause, ClearanceError) else None,
         )
@@ -170,7 +171,7 @@ async def save_version(
     def save() -> OwnPlanView:
         plan = _parsed(content)
         if plan.name != name:
-            raise HTTPException(422, f"{WHERE}, name: it is not '{name}' as in the address: correct it.")
+            raise HTTPException(422, Text("api-plan-other-name", name=name))
         now = own_plans.replace(plan, version)
         _log(database, person.name, "floor plan saved", floorplan=name, version=now)
         return OwnPlanView(name=name, title=plan.title, version=now)

@@ -13,6 +13,7 @@ from app.quantities import Document
 from app.store.files.plans import OwnPlans
 from app.store.files.replacements import Kind, ReplacedFiles
 from app.store.log import write_log
+from app.texts import Text
 from app.world.floorplan import FloorPlan
 
 router = APIRouter(prefix="/replaced", tags=["uploads"])
@@ -73,7 +74,7 @@ def _restored_plan(replaced: ReplacedFiles, own_plans: OwnPlans, identity: str) 
     try:
         plan = FloorPlan.model_validate_json(content)
     except ValidationError as error:
-        raise HTTPException(409, "This floor plan can no longer be read: save it again as it was drawn.") from error
+        raise HTTPException(409, Text("api-plan-unreadable")) from error
     saved = own_plans.add(plan, "keep-both", replaced)
     replaced.discard(file)
     return saved.name

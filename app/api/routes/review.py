@@ -23,6 +23,7 @@ from app.store.log import log_viewing
 from app.store.patients import find_patient
 from app.store.runs import find_trial
 from app.store.tables import Trial
+from app.texts import Text
 
 router = APIRouter(tags=["review"])
 
@@ -31,7 +32,7 @@ PlaceName = Annotated[str, Query(max_length=64)]
 
 def _known_measure(name: str) -> str:
     if name not in TRIAL_MEASURES:
-        raise ValueError(f"is no measure: choose one of {', '.join(TRIAL_MEASURES)}")
+        raise ValueError(Text("api-no-measure", measures=", ".join(TRIAL_MEASURES)))
     return name
 
 
@@ -134,7 +135,7 @@ def verdicts_of_trial(
         trial = find_trial(db, trial_id)
         other = trial if against is None else find_trial(db, against)
         if _task_of(trial) != _task_of(other):
-            raise Conflict("These two trials differ in their patient, task or source, so neither is called better.")
+            raise Conflict(Text("api-trials-not-comparable"))
         log_viewing(db, person.name, trial.patient_id)
         counted = counted_trials(db, trial.patient_id, trial.floorplan, trial.path)
     group = trial.run.source.group

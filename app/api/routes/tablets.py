@@ -5,12 +5,13 @@ from fastapi import APIRouter, HTTPException, Response
 from app.api.deps import Anyone, ForEveryone, SettingsPart
 from app.api.qr import qr_picture
 from app.quantities import Document
+from app.texts import Text
 
 router = APIRouter(tags=["tablets"])
 
 # The page that explains asks from another origin (http); nothing is answered that this page does not know.
 FOR_OTHER_ORIGINS = {"Access-Control-Allow-Origin": "*", "Cross-Origin-Resource-Policy": "cross-origin"}
-THIS_MACHINE_ONLY = "This program serves this machine alone: end it, and start it with bodydrive serve --lan."
+THIS_MACHINE_ONLY = Text("api-this-machine-only")
 
 
 class TrustView(Document):
@@ -25,7 +26,7 @@ class TabletsView(Document):
     url: str | None  # None: the program serves this machine alone
     qr: str
     pages: str
-    message: str
+    message: Text | str
 
 
 @router.get("/trust", dependencies=[ForEveryone])

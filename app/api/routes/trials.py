@@ -151,18 +151,18 @@ async def start_trial(
     kept in `meta`. 409 with a real chair chosen, for `none`, and while this screen or one of the patient's has no
     picture.
     """
-    async with session_flow.undisturbed("start a trial"):
+    async with session_flow.undisturbed(Text("visit-then-trial")):
         session = await session_flow.needed_session()
         if chairs.chosen is not None:
-            raise Conflict("A real chair is chosen: choose the virtual one for a trial.")
+            raise Conflict(Text("api-trial-on-real-chair"))
         refusal = NO_PICTURE if body.picture == "none" else pictures.refusal(Screen(person.person_id, body.screen))
-        if refusal:
+        if refusal is not None:
             raise Conflict(refusal)
         plan = await asyncio.to_thread(needed_plan, places, body.floorplan)
         try:
             path = plan.path_named(body.path)
         except ValueError as error:
-            raise NotFound(f"This floor plan has no path '{body.path}': choose one of the list.") from error
+            raise NotFound(Text("api-no-path", name=body.path)) from error
         obstacle = await session_flow.load_parameters()
         if obstacle is not None:
             raise Conflict(obstacle)

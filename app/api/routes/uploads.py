@@ -15,6 +15,7 @@ from app.signals.csv_dialect import cells_of, separator_of
 from app.signals.parquet_names import MOST_NUMBERS, parquet_names
 from app.store.files.name_conflicts import SameName
 from app.store.files.replacements import ReplacedFiles
+from app.texts import Text
 
 LARGEST = 64_000_000  # bytes
 HEADER = 65_536  # bytes of a CSV in which its first row must end
@@ -68,25 +69,21 @@ def keep_upload(
     """
     safe = harmless_name(name)
     if Path(safe).suffix not in KINDS:
-        raise HTTPException(415, f"'{safe}' is not a CSV or Parquet file: save it as one of these, then add it again.")
+        raise HTTPException(415, Text("api-wrong-upload", name=safe))
     data = content.read(LARGEST + 1)
     if len(data) > LARGEST:
-        raise HTTPException(413, f"'{safe}' is larger than {LARGEST // 1_000_000} MB: cut it, or save it as Parquet.")
+        raise HTTPException(413, Text("api-upload-too-large", name=safe, megabytes=LARGEST // 1_000_000))
     if not data:
-        raise HTTPException(422, f"'{safe}' is empty: choose another file.")
+        raise HTTPException(422, Text("api-upload-empty", name=safe))
     # Check before writing: an unreadable file must not replace a good one of the same name.
     columns = _parquet_names(computing, data) if safe.endswith(".parquet") else _csv_names(data[:HEADER])
     if columns is None or "t" not in columns or len(columns) < 2:
-        raise HTTPException(
-            422,
-            f"'{safe}' has no column t with channels beside it, or more than {MOST_NUMBERS:,} numbers: "
-            f"the first row must name t and each channel.",
-        )
+        raise HTTPException(422, Text("api-upload-columns", name=safe, count=MOST_NUMBERS))
     try:
         stored = shelf.put("file", safe, data, same_name)
     except OSError as error:
         raise HTTPException(
-            409, f"'{safe}' cannot be kept ({error.strerror or error}): free some disk space, then add it again."
+            409, Text("api-upload-not-kept", name=safe, problem=error.strerror or str(error))
         ) from error
     return FileView(name=stored, kind=_kind(columns), size=len(data))
 

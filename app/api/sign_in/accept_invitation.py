@@ -11,10 +11,11 @@ from app.api.sign_in.sign_in_limits import SignInLimits, address_of
 from app.quantities import Document
 from app.store.access.invitations import accept_invitation, find_invited
 from app.store.database import Database
+from app.texts import Text
 
 router = APIRouter(prefix="/auth/invitation", tags=["sign-in"], dependencies=[ForEveryone])
 
-WRONG = "This link is wrong, was used, or is older than 24 hours: ask an owner for a new one."
+WRONG = Text("api-link-wrong")
 
 
 class InvitationCode(Document):

@@ -23,7 +23,7 @@ from app.store.access.sign_ins import sign_in, sign_out, unlock
 from app.store.browsers import KNOWN_FOR, remember_browser
 from app.store.database import Database, Transaction
 from app.store.people import add_clinic, add_person, count_people, find_person, the_clinic
-from app.texts import LANGUAGES, current_language
+from app.texts import LANGUAGES, Text, current_language
 
 router = APIRouter(prefix="/auth", tags=["sign-in"], dependencies=[ForEveryone])
 
@@ -111,7 +111,7 @@ def let_in(settings: Settings, database: Database, request: Request, response: R
             sign_out(db, old)
         person = find_person(db, name)
         if person is None or person.disabled is not None:
-            raise HTTPException(401, "This person may no longer sign in: ask an owner.")
+            raise HTTPException(401, Text("api-person-disabled"))
         token, role, language = sign_in(db, person, how), person.role, person.language
         cookie = f"{BROWSER_COOKIE}{person.id}"
         known_browser = read_cookie(request, cookie, BROWSER_PATH)
@@ -141,10 +141,10 @@ async def enter_demonstration(
     """
     code = settings.demo_code
     if code is None:
-        raise HTTPException(404, "This is not a demonstration: sign in with your name and password.")
+        raise HTTPException(404, Text("api-no-demonstration"))
     attempt = await sign_in_limits.code(address_of(request))
     if not secrets.compare_digest(code.encode(), body.code.encode()):
-        raise HTTPException(401, "This link belongs to another demonstration: open the link that was printed last.")
+        raise HTTPException(401, Text("api-other-demonstration"))
     attempt.take_back()
 
     def _enter() -> Me:
@@ -173,7 +173,7 @@ async def make_first_owner(
 
     def _require_no_owner(db: Transaction) -> None:
         if settings.demo or count_people(db):
-            raise Conflict("This clinic is set up already: sign in with your name and password.")
+            raise Conflict(Text("api-set-up-already"))
 
     def _check() -> None:
         with database.reading() as db:
@@ -189,9 +189,7 @@ async def make_first_owner(
     await run_in_threadpool(_check)
     attempt = await sign_in_limits.code(address_of(request))
     if not set_up.opens(body.code):
-        raise HTTPException(
-            401, "This code is wrong, used or older than 30 minutes: restart the program for a new one."
-        )
+        raise HTTPException(401, Text("api-set-up-code-wrong"))
     attempt.take_back()
     weak = weakness(body.name, body.password)
     if weak is not None:

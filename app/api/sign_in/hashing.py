@@ -12,11 +12,12 @@ from typing import NamedTuple
 from app.child_process import JsonChild
 from app.json_values import JsonObject
 from app.refusals import Unavailable
+from app.texts import Text
 
 MOST_AT_ONCE = 8  # sign-ins under way, including the one that is being hashed: about 1 s of waiting
 ANSWER_LIMIT = 15.0  # s for one hash on a busy machine
 END_LIMIT = 1.0  # s
-ENDED = "Passwords cannot be checked at this moment: try again."
+ENDED = Text("api-passwords-not-checked")
 
 
 class Cost(NamedTuple):

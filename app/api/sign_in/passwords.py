@@ -14,8 +14,9 @@ from app.store.browsers import find_browser
 from app.store.database import Database
 from app.store.log import write_log
 from app.store.people import find_person
+from app.texts import Text
 
-SHORTEST = 8
+SHORTEST, LONGEST = 8, 200  # characters
 COMMON = """
     password password1 password12 password123 passw0rd 12345678 123456789 1234567890 87654321 11111111 00000000
     abcd1234 abc12345 qwertyui qwertyuiop qwerty123 1q2w3e4r asdfghjk iloveyou sunshine princess football baseball
@@ -24,20 +25,19 @@ COMMON = """
 BROWSER_COOKIE = "bodydrive_browser_"  # followed by the person's id: several people share a tablet
 BROWSER_PATH = "/api/v1/auth"  # no other request needs the cookie
 
-WRONG = "Name or password is wrong: try again, or ask an owner for a new password."
-NOT_OWN = "That is not the password of {name}: try again, or ask an owner for a new one."
-BUSY = "Too many people are signing in at this moment: wait a few seconds, then try again."
+WRONG = Text("api-sign-in-wrong")
+BUSY = Text("api-sign-in-busy")
 BUSY_FOR = 2.0  # s
 
 
-def weakness(name: str, password: str) -> str | None:
+def weakness(name: str, password: str) -> Text | None:
     """Return in one sentence why a new password is refused, None when it is not."""
     if len(password) < SHORTEST:
-        return f"This password is too short: use at least {SHORTEST} characters."
-    if len(password) > 200:
-        return "This password is too long: use at most 200 characters."
+        return Text("api-password-short", least=SHORTEST)
+    if len(password) > LONGEST:
+        return Text("api-password-long", most=LONGEST)
     if password.lower() in COMMON.split() or password.lower() == name.lower() or len(set(password)) < 3:
-        return "This password is among the first that anybody would try: choose another one."
+        return Text("api-password-common")
     return None
 
 
@@ -64,9 +64,9 @@ class PasswordCheck:
 
     async def require_own(self, request: Request, name: str, password: str) -> None:
         """Do as `require` for somebody who is signed in, whose name is right: only the password can be wrong."""
-        await self.require(request, name, password, NOT_OWN.format(name=name))
+        await self.require(request, name, password, Text("api-password-not-own", name=name))
 
-    async def require(self, request: Request, name: str, password: str, wrong: str = WRONG) -> None:
+    async def require(self, request: Request, name: str, password: str, wrong: Text = WRONG) -> None:
         """Refuse a wrong password (401), too many tries (429), and more tries at once than can be checked (503).
 
         The try is counted before anything is looked up or hashed, so that concurrent tries all count.

@@ -8,12 +8,13 @@ import math
 import threading
 from collections import deque
 from dataclasses import dataclass, field
-from typing import NoReturn
+from typing import Literal, NoReturn
 
 from fastapi import HTTPException
 from starlette.requests import HTTPConnection
 
 from app.clock import monotonic
+from app.texts import Text
 
 WITHIN = 60.0  # s: older tries no longer count
 MOST_KEYS = 4096  # more than can be tried within WITHIN: one hash takes 0.1 s
@@ -23,9 +24,7 @@ PASSWORDS_PER_BROWSER = 5
 CODES_PER_ADDRESS = 10
 REFUSALS_EVERY = 0.01  # s between two refusals: a flood of tries must wait for them, so that Stop is not delayed
 
-NAME = "Too many wrong passwords for this name: wait {wait}, or sign in where you have signed in before."
-HERE = "Too many wrong passwords came from here: wait {wait}, then try again."
-CODES = "Too many wrong codes came from here: wait {wait}, then try again."
+Tried = Literal["name", "here", "code"]  # the password of a name, a password or a code from one address or browser
 
 
 class Tries:
@@ -64,10 +63,9 @@ class Tries:
                 self._times.pop(key, None)
 
 
-def seconds_text(wait: float) -> str:
-    """Return a waiting time (s) in words, rounded up to whole seconds."""
-    seconds = max(1, math.ceil(wait))
-    return "1 second" if seconds == 1 else f"{seconds} seconds"
+def whole_seconds(wait: float) -> int:
+    """Return a waiting time (s) in whole seconds, rounded up."""
+    return max(1, math.ceil(wait))
 
 
 @dataclass(slots=True)
@@ -76,7 +74,7 @@ class SignInAttempt:
 
     counted: list[tuple[Tries, str]] = field(default_factory=list)
     wait: float = 0.0  # s; 0: none
-    message: str = ""
+    message: Text | str = ""
 
     def take_back(self) -> None:
         """Remove the try from the counts: it succeeded, or was not checked."""
@@ -97,32 +95,32 @@ class SignInLimits:
 
     def password(self, name: str, address: str) -> SignInAttempt:
         """Count a try at the password of a name."""
-        return _count((self._names, name, NAME), (self._addresses, address, HERE))
+        return _count((self._names, name, "name"), (self._addresses, address, "here"))
 
     def password_in(self, browser: int) -> SignInAttempt:
         """Count a try at a password in a known browser, where the counts of name and address do not apply.
 
         So tries from elsewhere do not lock a person out of the browser that they use every day.
         """
-        return _count((self._browsers, str(browser), HERE))
+        return _count((self._browsers, str(browser), "here"))
 
     async def code(self, address: str) -> SignInAttempt:
         """Count a try at the code of a link; refuse it after too many wrong ones."""
-        attempt = _count((self._codes, address, CODES))
+        attempt = _count((self._codes, address, "code"))
         await self.require(attempt)
         return attempt
 
     async def require(self, attempt: SignInAttempt) -> None:
         """Refuse an attempt that has to wait."""
         if attempt.wait:
-            await self.refuse(429, attempt.message.format(wait=seconds_text(attempt.wait)), attempt.wait)
+            await self.refuse(429, attempt.message, attempt.wait)
 
-    async def refuse(self, status: int, message: str, wait: float) -> NoReturn:
+    async def refuse(self, status: int, message: Text | str, wait: float) -> NoReturn:
         """Refuse with 429 or 503 and the time to wait (s); at most one refusal per REFUSALS_EVERY."""
         now = monotonic()
         self._refused_at = max(self._refused_at + REFUSALS_EVERY, now)
         await asyncio.sleep(self._refused_at - now)
-        raise HTTPException(status, message, headers={"Retry-After": str(max(1, math.ceil(wait)))})
+        raise HTTPException(status, message, headers={"Retry-After": str(whole_seconds(wait))})
 
 
 def address_of(connection: HTTPConnection) -> str:
@@ -130,14 +128,14 @@ def address_of(connection: HTTPConnection) -> str:
     return connection.client.host if connection.client else ""
 
 
-def _count(*keys: tuple[Tries, str, str]) -> SignInAttempt:
+def _count(*keys: tuple[Tries, str, Tried]) -> SignInAttempt:
     """Count a try under every key, or under none of them."""
     attempt = SignInAttempt()
-    for tries, key, message in keys:
+    for tries, key, tried in keys:
         wait = tries.count(key)
         if wait:
             attempt.take_back()
-            attempt.wait, attempt.message = wait, message
+            attempt.wait, attempt.message = wait, Text(f"api-tries-{tried}", seconds=whole_seconds(wait))
             break
         attempt.counted.append((tries, key))
     return attempt

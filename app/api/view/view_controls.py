@@ -10,6 +10,7 @@ from app.quantities import Document, Fraction, Metres, Radians
 from app.scene.cameras import Orbit, View
 from app.scene.role_servers import Role
 from app.scene.session_scene import LiveScene
+from app.texts import Text
 
 SceneNow = Callable[[], LiveScene | None]
 """Returns the scene of the session, None while no session is open."""
@@ -73,7 +74,7 @@ def view_controls(scene_now: SceneNow, clinician: Callable[..., Any]) -> APIRout
     def scene() -> LiveScene:
         drawn_scene = scene_now()
         if drawn_scene is None:
-            raise HTTPException(409, "There is no 3D view while no session is open: open one first.")
+            raise HTTPException(409, Text("api-no-view"))
         return drawn_scene
 
     SceneOfSession = Annotated[LiveScene, Depends(scene)]  # noqa: N806

@@ -63,10 +63,8 @@ class InterfaceTestFlow(RunFlow[RunningInterfaceTest]):
 
     messages = FlowMessages(
         event="test",
-        running="The two-minute test is running: end it first",
-        to_start="start the two-minute test",
-        not_running="No two-minute test is running: start one first.",
-        still_closing="The two-minute test is still being measured: look at it again in a moment.",
+        not_running=Text("visit-no-test"),
+        still_closing=Text("visit-test-still-measured"),
     )
     plan_of: Callable[[int], CursorPlan] = staticmethod(lambda number: CursorPlan(seed=number))
 

@@ -26,6 +26,7 @@ from app.recording.format import Columns
 from app.recording.reader import RunRecording
 from app.sentences import one_sentence
 from app.speed_limits import Speeds
+from app.texts import Text
 
 
 class RecordedGate(SafetyGate):
@@ -77,12 +78,10 @@ def replay_run(run: RunRecording, parameters: DriveParameters) -> Rerun:
     columns = run.columns
     count, channels = len(columns["t"]), len(parameters.profile.layout.channels)
     if count == 0:
-        raise ValueError("the recording holds nothing: choose another one")
-    if columns["values"].shape[1] != channels:
-        raise ValueError(
-            f"the recording has {columns['values'].shape[1]} channels and the profile {channels}: "
-            f"use the profile of the same shirt"
-        )
+        raise ValueError(Text("drives-replay-empty"))
+    recorded = columns["values"].shape[1]
+    if recorded != channels:
+        raise ValueError(Text("drives-replay-channels", recorded=recorded, expected=channels))
     sample_rate = sample_rate_of(run.meta, parameters.profile.sample_rate)
     chain = Chain(sample_rate, parameters, chair_of(run.meta) or VirtualChair(None, Pose(0.0, 0.0, 0.0)))
     gate = RecordedGate(chain.limits, sample_rate)
@@ -121,4 +120,4 @@ def _clinic(meta: JsonDocument) -> Speeds:
     try:
         return Speeds.model_validate(meta.get("clinic"))
     except ValidationError as error:
-        raise ValueError(one_sentence(error, "its run.json, clinic")) from error
+        raise ValueError(one_sentence(error, Text("drives-replay-part", part="clinic"))) from error

@@ -11,6 +11,7 @@ from app.pipeline.replay.batch import DecodedRun, decode_block
 from app.recording.reader import RunRecording
 from app.sentences import one_sentence
 from app.signals.sampling_times import FASTEST, SLOWEST
+from app.texts import Text
 from app.world.floorplan import FloorPlan
 
 DRIVE = "drive"  # the kind of run with decisions of the gate
@@ -28,12 +29,10 @@ def decode_run(run: RunRecording, parameters: DriveParameters) -> DecodedRun:
     frames = run.frames()
     values = frames["values"]
     if not len(values):
-        raise ValueError("the recording holds no frame of the shirt: choose another one")
-    if values.shape[1] != len(parameters.profile.layout.channels):
-        raise ValueError(
-            f"the recording has {values.shape[1]} channels and the profile {len(parameters.profile.layout.channels)}: "
-            f"use the profile of the same shirt"
-        )
+        raise ValueError(Text("drives-replay-no-frame"))
+    expected = len(parameters.profile.layout.channels)
+    if values.shape[1] != expected:
+        raise ValueError(Text("drives-replay-channels", recorded=values.shape[1], expected=expected))
     driven = run.meta.get("kind") == DRIVE
     return decode_block(
         parameters,
@@ -50,9 +49,7 @@ def sample_rate_of(meta: JsonDocument, otherwise: float) -> float:
     """Return the sample rate (Hz) that a run's meta states; ValueError for an invalid one."""
     stated = meta.get("sample_rate", otherwise)
     if isinstance(stated, bool) or not isinstance(stated, int | float) or not SLOWEST <= stated <= FASTEST:
-        raise ValueError(
-            f"its run.json gives the sample rate as {stated!r}, which must be {SLOWEST:g} to {FASTEST:g} Hz: correct it"
-        )
+        raise ValueError(Text("drives-replay-rate", stated=repr(stated), slowest=SLOWEST, fastest=FASTEST))
     return float(stated)
 
 
@@ -64,6 +61,6 @@ def chair_of(meta: JsonDocument) -> VirtualChair | None:
     try:
         plan = FloorPlan.model_validate(document)
     except ValidationError as error:
-        raise ValueError(one_sentence(error, "its run.json, floorplan")) from error
+        raise ValueError(one_sentence(error, Text("drives-replay-part", part="floorplan"))) from error
     path = plan.path_named(meta["path"]) if meta.get("path") else plan.paths[0]
     return VirtualChair(plan, Pose(*path.start), meta.get("dynamics", "unicycle"))

@@ -22,6 +22,7 @@ from app.store.log import write_log
 from app.store.map_versions import calibration_behind, save_adapted
 from app.store.parameters import as_document, current_parameters, newest_profile
 from app.store.tables import PatientSession
+from app.texts import Text, text_of
 
 
 class CalibrationFit:
@@ -53,14 +54,14 @@ class CalibrationFit:
             session.result, session.accepted = profile.model_dump(mode="json"), False
             for step, _ in recorded:
                 if step.kind == "prompt":
-                    set_step(db, session_id, step.id, "done", advice_of(profile, step))
+                    set_step(db, session_id, step.id, "done", advice_of(profile, step) or "")
 
-    def judge(self, session_id: int, progress: Progress, step: Step) -> str:
-        """Store why a done step has to be repeated, in the words of the result, and return it; empty if it need not."""
+    def judge(self, session_id: int, progress: Progress, step: Step) -> Text | str | None:
+        """Store why a done step has to be repeated, in the words of the result, and return it; None if it need not."""
         layout, recorded = self._recorded(session_id, progress)
         advice = self._computing.ask(judge_step, layout, recorded, self._equipment.unused, step)
         with self._database.transaction() as db:
-            set_step(db, session_id, step.id, "done", advice)
+            set_step(db, session_id, step.id, "done", advice or "")
         return advice
 
     def earlier(self, session_id: int, layout: ShirtLayout) -> EarlierCalibration | None:
@@ -85,14 +86,14 @@ class CalibrationFit:
         try:
             after = self._computing.ask(fit_recordings_to_donning, before, calibrated, recorded, prior)
         except ValueError as error:
-            raise Conflict(str(error)) from error
+            raise Conflict(text_of(error)) from error
         followed = joints_followed(before.profile, after.profile)
         if not followed:
             return
         difference = {"joints": {joint: {"range_moved": True} for joint in followed}}
         with self._database.transaction() as db:
             if as_document(*current_parameters(db, patient)).hash != before.hash:
-                raise Conflict("The controls were changed meanwhile: try again.")
+                raise Conflict(Text("visit-controls-changed"))
             saved = save_adapted(db, patient, session_id, after, difference, origin="donning")
             write_log(db, person, "calibration fitted to the shirt", patient=patient, version=saved.version)
 
@@ -116,7 +117,7 @@ class CalibrationFit:
     def _recorded(self, session_id: int, progress: Progress) -> tuple[ShirtLayout, list[tuple[Step, Path]]]:
         """Return the layout and the done steps with their recordings; Conflict when they cannot be used together."""
         if progress.layout is None:
-            raise Conflict("There is no shirt: choose one on the Shirt page, then begin the calibration anew.")
+            raise Conflict(Text("visit-calibration-without-shirt"))
         with self._database.reading() as db:
             folders = recordings_of(db, session_id)
             is_calibration_simulated(db, session_id)  # refuse a mixture of worn and simulated recordings

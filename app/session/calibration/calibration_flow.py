@@ -22,6 +22,7 @@ from app.session.runs import SessionRuns
 from app.store.calibrations import begin_calibration, calibration_steps, set_step
 from app.store.database import Database, Transaction
 from app.store.tables import CalibrationStep, PatientSession
+from app.texts import Text, text_of
 
 WATCH_EVERY = 0.05  # s
 STANDSTILL_LIMIT = 3.0  # s without progress of the run's time, after which the step fails
@@ -33,10 +34,10 @@ class Outcome(NamedTuple):
     """How a step ended."""
 
     status: str
-    reason: str  # why it failed, in a sentence; empty otherwise
+    reason: Text | str | None = None  # why it failed
 
 
-INTERRUPTED = Outcome("failed", "The program ended during this step: repeat it.")
+INTERRUPTED = Outcome("failed", Text("visit-step-interrupted"))
 
 
 class CalibrationFlow:
@@ -82,7 +83,7 @@ class CalibrationFlow:
         step = progress.step(step_id)
         needed = self._equipment.needed_layout()
         if progress.layout is None or progress.layout.without_rings != needed.without_rings:
-            raise Conflict("The shirt is another one than when this calibration began: begin the calibration anew.")
+            raise Conflict(Text("visit-shirt-changed"))
         self._refuse_while_running()
         self._running, self._task, self._interruption = step.id, None, INTERRUPTED
         try:
@@ -91,7 +92,7 @@ class CalibrationFlow:
             self._running = None
             raise
         try:
-            await asyncio.to_thread(self._set, session_id, step.id, "running", "", run.id, step.id)
+            await asyncio.to_thread(self._set, session_id, step.id, "running", None, run.id, step.id)
         except BaseException:
             self._running = None
             await self._runs.end()
@@ -112,17 +113,17 @@ class CalibrationFlow:
         task = self._task if self._running == step_id else None
         if task is not None:
             if self._runs.open is not None:
-                return await self.stop(Outcome("waiting", ""))
+                return await self.stop(Outcome("waiting"))
             await asyncio.wait([task], timeout=CHECK_LIMIT)
-        raise Conflict("This step is not being recorded, or no longer: start it, or choose another.")
+        raise Conflict(Text("visit-step-not-recorded"))
 
     async def skip(self, session_id: int, step_id: str) -> None:
         """Skip a prompted movement that this patient cannot make; the map is fitted from the others."""
         step = (await self.progress(session_id)).step(step_id)
         if step.kind != "prompt":
-            raise Conflict("Rest and free movement cannot be skipped: the calibration is made of them.")
+            raise Conflict(Text("visit-step-needed"))
         self._refuse_while_running()
-        await asyncio.to_thread(self._set, session_id, step.id, "skipped", "", None, None)
+        await asyncio.to_thread(self._set, session_id, step.id, "skipped", None, None, None)
         try:
             await self._go_on(session_id)
         finally:
@@ -135,9 +136,7 @@ class CalibrationFlow:
         """
         progress = await self.progress(session_id)
         if not progress.may_drive_now:
-            raise Conflict(
-                "Do Rest and Move freely first. Driving at once needs four other people who are known in this shirt."
-            )
+            raise Conflict(Text("visit-drive-now-too-early"))
         await self.fit_again(session_id)
 
     async def fit_again(self, session_id: int) -> None:
@@ -148,7 +147,7 @@ class CalibrationFlow:
             reason = await self._fit_now(session_id)
         finally:
             self._ended()
-        if reason:
+        if reason is not None:
             raise Conflict(reason)
 
     async def fit_earlier(self, session_id: int, person: str) -> None:
@@ -158,9 +157,7 @@ class CalibrationFlow:
         """
         progress = await self.progress(session_id)
         if not progress.may_fit_earlier:
-            raise Conflict(
-                "Do Rest and Move freely first. Fitting needs an earlier calibration of this patient in this shirt."
-            )
+            raise Conflict(Text("visit-fit-too-early"))
         self._refuse_while_running()
         await asyncio.to_thread(self._fit.fit_earlier, session_id, progress, person)
 
@@ -198,19 +195,19 @@ class CalibrationFlow:
         self._notify("calibration")
 
     async def _record(self, session_id: int, step: Step, number: int, *, stays: bool) -> None:
-        status, reason = "failed", ""
+        status = "failed"
+        reason: Text | str | None = None
         try:
             reason = await self._wait(number, step.duration)
             run = await self._runs.end()
-            if not reason and run is not None:
-                complaint = await asyncio.to_thread(self._computing.ask, check_recording, run.folder, step.duration)
-                reason = complaint or ""
+            if reason is None and run is not None:
+                reason = await asyncio.to_thread(self._computing.ask, check_recording, run.folder, step.duration)
             status = "failed" if reason else "done"
         except asyncio.CancelledError:
             status, reason = self._interruption
             raise
         except (Refusal, ValueError, OSError) as error:
-            reason = str(error)
+            reason = text_of(error)
         finally:
             try:
                 await self._runs.end()
@@ -236,13 +233,13 @@ class CalibrationFlow:
 
     def _refuse_while_running(self) -> None:
         if self._running is not None:
-            raise Conflict("A step is being recorded: wait for its end, or cancel it first.")
+            raise Conflict(Text("visit-step-recorded"))
 
     def _ended(self) -> None:
         self._running = None
         self._notify("calibration")
 
-    async def _wait(self, number: int, duration: float) -> str:
+    async def _wait(self, number: int, duration: float) -> Text | None:
         """Wait until the run's own time has passed `duration`; return in words why it did not."""
         reached, moved_at = -1.0, monotonic()
         while True:
@@ -251,13 +248,13 @@ class CalibrationFlow:
             if tick is not None and int(tick["run"]) == number:
                 run_t = float(tick["run_t"])
                 if run_t >= duration:
-                    return ""
+                    return None
                 if math.isfinite(run_t) and run_t > reached:
                     reached, moved_at = run_t, monotonic()
             if self._control.state != "alive":
-                return "The control process ended during this step: repeat it."
+                return Text("visit-step-process-ended")
             if monotonic() - moved_at > STANDSTILL_LIMIT:
-                return "Nothing was recorded for three seconds: look at the Shirt page, then repeat this step."
+                return Text("visit-step-nothing-recorded")
 
     async def _go_on(self, session_id: int, stay: str | None = None, *, is_new: bool = False) -> None:
         """After a step, show the next unfinished one or the one to stay at, and fit the map when all are finished.
@@ -270,17 +267,18 @@ class CalibrationFlow:
         if not missing:
             await self._fit_now(session_id)
 
-    async def _fit_now(self, session_id: int) -> str:
+    async def _fit_now(self, session_id: int) -> Text | str | None:
         """Fit the map from the recordings, show the status of the fit as that of the result step, return why not."""
         self._running = RESULT
-        await asyncio.to_thread(self._set, session_id, RESULT, "running", "It is being worked out.", None, None)
+        await asyncio.to_thread(self._set, session_id, RESULT, "running", Text("visit-fitting"), None, None)
         self._notify("calibration")
-        status, reason = "failed", "The fit was interrupted: repeat any step, and it is done again."
+        status = "failed"
+        reason: Text | str | None = Text("visit-fit-interrupted")
         try:
             await asyncio.to_thread(self._fit.fit, session_id, await self.progress(session_id))
-            status, reason = "done", ""
+            status, reason = "done", None
         except (ValueError, OSError, Refusal) as error:
-            reason = str(error)
+            reason = text_of(error)
         finally:
             await asyncio.to_thread(self._set, session_id, RESULT, status, reason, None, None)
         return reason
@@ -293,7 +291,7 @@ class CalibrationFlow:
             rows = calibration_steps(db, session_id)
             script, current, result = session.script, session.current_step, session.result
             accepted = session.accepted
-            status = {step: (row.status, str(row.words)) for step, row in rows.items()}
+            status = {step: (row.status, row.words) for step, row in rows.items()}
             new = self._new_layout(session, rows)
         if new is not None:
             script, current, result, accepted = _script(new), None, None, False
@@ -332,11 +330,17 @@ class CalibrationFlow:
             begin_calibration(db, db.get_one(PatientSession, session_id), _script(layout), _step_ids(layout))
 
     def _set(
-        self, session_id: int, step: str, status: str, reason: str, run_id: str | None, current: str | None
+        self,
+        session_id: int,
+        step: str,
+        status: str,
+        reason: Text | str | None,
+        run_id: str | None,
+        current: str | None,
     ) -> None:
         with self._database.transaction(closing=True) as db:
             self._begin_new(db, session_id)
-            set_step(db, session_id, step, status, reason, run_id)
+            set_step(db, session_id, step, status, reason or "", run_id)
             if current is not None:
                 db.get_one(PatientSession, session_id).current_step = current
 

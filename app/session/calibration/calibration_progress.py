@@ -8,6 +8,7 @@ from app.calibration.profile import CalibrationProfile
 from app.calibration.script import Step
 from app.layout import ShirtLayout
 from app.refusals import NotFound
+from app.texts import Text
 
 OVER = ("done", "skipped")  # statuses of a finished step
 
@@ -26,7 +27,7 @@ class Progress:
     layout: ShirtLayout | None
     steps: tuple[Step, ...]
     current: str
-    status: dict[str, tuple[str, str]]  # step -> (status, message)
+    status: dict[str, tuple[str, Text | str]]  # step -> (status, message)
     running: str | None
     started_run: int | None
     profile: CalibrationProfile | None
@@ -39,7 +40,7 @@ class Progress:
         for step in self.steps:
             if step.id == step_id:
                 return step
-        raise NotFound(f"There is no step '{step_id}' in this calibration: choose one of the list.")
+        raise NotFound(Text("visit-no-step", step=step_id))
 
     @property
     def missing(self) -> tuple[str, ...]:

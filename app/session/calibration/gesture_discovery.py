@@ -21,7 +21,6 @@ Recorded = tuple[tuple[str, str], ...]
 """Steps of a calibration, each with the folder of its recording."""
 
 KEPT = 8  # results: the Controls page asks again with every change
-NOTHING = "Nothing is calibrated yet: calibrate first, and tap “Use this calibration”."
 GONE = Text("calibration-recordings-gone")
 
 
@@ -60,7 +59,7 @@ class GestureDiscoveries:
         with self._database.reading() as db:
             row = newest_profile(db, patient_id)
             if row is None:
-                raise Conflict(NOTHING)
+                raise Conflict(Text("visit-not-calibrated"))
             document, folders = row.document, recordings_behind(db, row)
         return self._discovery(CalibrationProfile.model_validate(document), folders)
 

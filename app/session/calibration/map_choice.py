@@ -5,6 +5,7 @@ from app.calibration.profile import CalibrationProfile
 from app.refusals import Conflict, NotFound
 from app.store.database import Database
 from app.store.tables import PatientSession
+from app.texts import Text
 
 
 def choose_map(database: Database, session_id: int, joint: str, kind: MapKind) -> None:
@@ -16,16 +17,16 @@ def choose_map(database: Database, session_id: int, joint: str, kind: MapKind) -
     with database.transaction() as db:
         session = db.get_one(PatientSession, session_id)
         if session.result is None:
-            raise Conflict("There is no result yet: do every step first.")
+            raise Conflict(Text("visit-no-result"))
         profile = CalibrationProfile.model_validate(session.result)
         names = [joint_map.name for joint_map in profile.joints]
         if joint not in names:
-            raise NotFound(f"There is no calibration for '{joint}': choose one of {', '.join(names)}.")
+            raise NotFound(Text("visit-no-map", joint=joint, joints=", ".join(names)))
         chosen = profile.joints[names.index(joint)]
         if kind == "guided" and (chosen.guided is None or not chosen.guided.is_better):
-            raise Conflict("The calibration learnt from the cues is not better for this joint: keep the standard one.")
+            raise Conflict(Text("visit-guided-not-better"))
         if kind == "prior" and (chosen.prior is None or not chosen.prior.is_better):
-            raise Conflict("There is no better calibration from other people for this joint: keep the present one.")
+            raise Conflict(Text("visit-prior-not-better"))
         if chosen.map == kind:
             return
         joints = tuple(

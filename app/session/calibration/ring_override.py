@@ -7,6 +7,7 @@ from app.store.calibrations import recordings_of
 from app.store.database import Database, Transaction
 from app.store.log import write_log
 from app.store.tables import PatientSession
+from app.texts import Text
 
 AS_WORN = "as_worn"  # in the script of a calibration: the rings, and the recording in which a rotation was detected
 
@@ -32,14 +33,14 @@ def override_rotation(database: Database, session_id: int, joint: str, person: s
     with database.transaction() as db:
         session = db.get_one(PatientSession, session_id)
         if session.result is None or session.script is None:
-            raise Conflict("There is no result yet: do every step first.")
+            raise Conflict(Text("visit-no-result"))
         joints = {joint_map.name: joint_map for joint_map in CalibrationProfile.model_validate(session.result).joints}
         if joint not in joints:
-            raise NotFound(f"There is no calibration for '{joint}': choose one of {', '.join(joints)}.")
+            raise NotFound(Text("visit-no-map", joint=joint, joints=", ".join(joints)))
         prior = joints[joint].prior
         rings = set() if prior is None else {*prior.arrangement, *prior.as_worn}
         if not rings:
-            raise Conflict("At this joint the shirt sits as on other people: there is nothing to choose.")
+            raise Conflict(Text("visit-ring-not-turned"))
         before = set(rings_as_worn(db, session))
         override = {
             "recording": _free_movement(db, session_id),

@@ -7,13 +7,13 @@ from app.calibration.fit.profile_fit import joints_without_map
 from app.calibration.grades import SIGNAL_TO_NOISE_LIMITS, UNPROMPTED
 from app.calibration.profile import CalibrationProfile, JointMap
 from app.calibration.script import Step
-from app.texts import in_sequence
+from app.texts import Figure, Text, in_sequence
 
 ENOUGH = 0.9  # share of the frames that should have come at the shirt's sample rate
 LONGEST_GAP = 0.25  # s; a movement of a second is not recognised across a longer one
 
 
-def check_frames(run_t: NDArray[np.float64], duration: float, sample_rate: float) -> str | None:
+def check_frames(run_t: NDArray[np.float64], duration: float, sample_rate: float) -> Text | None:
     """Return in one sentence why the frames of a step cannot be used, None when they can.
 
     Parameters
@@ -28,19 +28,15 @@ def check_frames(run_t: NDArray[np.float64], duration: float, sample_rate: float
     within = run_t[(run_t >= 0) & (run_t <= duration)]
     expected = duration * sample_rate
     if within.size < ENOUGH * expected:
-        share = 100 * within.size / expected
-        return (
-            f"Only {share:.0f} % of the shirt's signals arrived: "
-            "check its battery and transmitter, then repeat this step."
-        )
+        return Text("visit-step-lossy", share=Figure(100 * within.size / expected))
     gap = float(np.max(np.diff(np.concatenate(([0.0], within, [duration])))))
     if gap > LONGEST_GAP:
-        return f"The shirt was silent for {gap:.1f} seconds: check its transmitter, then repeat this step."
+        return Text("visit-step-silent", seconds=Figure(gap, 1))
     return None
 
 
-def advice_of(profile: CalibrationProfile, step: Step) -> str:
-    """Return why a step has to be repeated, in the words of the profile; an empty string when it need not be.
+def advice_of(profile: CalibrationProfile, step: Step) -> Text | None:
+    """Return why a step has to be repeated, in the words of the profile; None when it need not be.
 
     A prompted movement is judged by its joint. The free movement has to be repeated when no joint moves clearly: each
     would have to be repeated, or has a weak signal, which the noise of a shirt at rest can have by chance.
@@ -49,16 +45,16 @@ def advice_of(profile: CalibrationProfile, step: Step) -> str:
     if step.kind == "prompt":
         joint = joints.get(str(step.joint))
         if joint is None:
-            return str(joints_without_map(profile)[str(step.joint)])
-        return str(joint.description) if joint.has_to_be_repeated else ""
+            return joints_without_map(profile)[str(step.joint)]
+        return joint.description if joint.has_to_be_repeated else None
     weak = [joint for joint in profile.joints if joint.has_to_be_repeated]
     unclear = sum(joint.has_to_be_repeated or _is_weak(joint) for joint in profile.joints)
     if step.kind == "rest" or not weak or unclear < len(profile.joints):
-        return ""
+        return None
     first = weak[0]
     label = next(joint.label for joint in profile.layout.joints if joint.name == first.name)
     findings = in_sequence(sentence for sentence in first.reason if sentence != UNPROMPTED)
-    return f"No joint moves clearly enough. {label}: {findings}"
+    return Text("visit-no-joint-moves", joint=label, reason=findings)
 
 
 def _is_weak(joint: JointMap) -> bool:

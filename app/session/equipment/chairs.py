@@ -7,15 +7,16 @@ from typing import Literal
 from app.json_values import JsonDocument
 from app.refusals import Conflict, Refusal, Unavailable
 from app.session.control_link import ControlLink
-from app.session.equipment.choice import ClinicChoice
+from app.session.equipment.choice import ClinicChoice, without_folders
 from app.session.equipment.pairing import key_file
 from app.store.chairs import find_chair
 from app.store.database import Database, Transaction
 from app.store.tables import Clinic, PairedChair
+from app.texts import Text, from_document, text_of
 
 Dynamics = Literal["unicycle", "wheelchair"]
 
-VIRTUAL_WORDS = "The virtual chair: nothing moves but the picture."
+VIRTUAL_CHAIR = Text("visit-chair-virtual")
 
 
 class Chairs(ClinicChoice):
@@ -26,7 +27,7 @@ class Chairs(ClinicChoice):
         self._keys = keys
         self.chosen: PairedChair | None = None  # None: the virtual chair
         self.dynamics: Dynamics = "unicycle"  # of the virtual chair
-        self.failure = ""  # why the chosen chair is not open, empty when it is
+        self.failure: Text | str | None = None  # why the chosen chair is not open, None when it is
 
     async def open(self) -> None:
         """Open the chair that was driven last; when it does not open, `failure` says why, and none takes its place."""
@@ -34,7 +35,7 @@ class Chairs(ClinicChoice):
             await self._in_clinic(self._read)
             await self._open(self.chosen, self.dynamics)
         except Refusal as refusal:
-            self.failure = self._without_paths(str(refusal))
+            self.failure = without_folders(text_of(refusal), self._keys)
 
     async def choose(self, chair: PairedChair | None, dynamics: Dynamics) -> None:
         """Drive another chair; when it does not open, the one before stays and the reason is raised."""
@@ -43,28 +44,31 @@ class Chairs(ClinicChoice):
         except Unavailable:
             raise  # the next control process is given the chair that was open before
         except Conflict as refusal:
-            raise Conflict(self._without_paths(str(refusal))) from refusal
-        self.chosen, self.dynamics, self.failure = chair, dynamics, ""
+            raise Conflict(without_folders(text_of(refusal), self._keys)) from refusal
+        self.chosen, self.dynamics, self.failure = chair, dynamics, None
         await self._in_clinic(self._write)
         self._notify("equipment")
 
-    async def state(self) -> str:
+    async def state(self) -> Text | str:
         """Return the state of the chosen chair in a sentence."""
         if self.chosen is None:
-            return VIRTUAL_WORDS
-        if self.failure:
+            return VIRTUAL_CHAIR
+        if self.failure is not None:
             return self.failure
         try:
             chair = (await self._control.call("status"))["chair"]
         except Refusal as refusal:
-            return str(refusal)
-        return str(chair["words"]) if chair["kind"] == "udp" else self.not_open
+            return text_of(refusal)
+        return from_document(chair["words"]) if chair["kind"] == "udp" else self.not_open
 
     @property
-    def not_open(self) -> str:
+    def not_open(self) -> Text | str:
         """Return a sentence for a chair that is chosen and not open."""
-        name = "The chair" if self.chosen is None else self.chosen.name
-        return self.failure or f"{name} is not open: choose it again."
+        if self.failure is not None:
+            return self.failure
+        if self.chosen is None:
+            return Text("visit-chair-not-open")
+        return Text("visit-chair-not-open-named", name=self.chosen.name)
 
     async def _open(self, chair: PairedChair | None, dynamics: Dynamics) -> None:
         await self._control.load("chair", config=self._config(chair, dynamics))
@@ -80,9 +84,6 @@ class Chairs(ClinicChoice):
             "key_file": str(key_file(self._keys, chair.key_id)),
             "speeds": chair.speeds,
         }
-
-    def _without_paths(self, sentence: str) -> str:
-        return sentence.replace(f"{self._keys}/", "")
 
     def _read(self, db: Transaction, clinic: Clinic) -> None:
         stored = clinic.chair or {}

@@ -2,11 +2,13 @@
 
 import asyncio
 from collections.abc import Callable
+from pathlib import Path
 
 from app.session.control_link import ControlLink
 from app.store.database import Database, Transaction
 from app.store.people import the_clinic
 from app.store.tables import Clinic
+from app.texts import Text
 
 
 class ClinicChoice:
@@ -27,3 +29,16 @@ class ClinicChoice:
                     act(db, clinic)
 
         await asyncio.to_thread(_transact)
+
+
+def without_folders(sentence: Text | str, *folders: Path) -> Text | str:
+    """Return a sentence in which files are named without their folders, as on the pages."""
+    if isinstance(sentence, Text):
+        names = {
+            name: without_folders(value, *folders) if isinstance(value, Text | str) else value
+            for name, value in sentence.values.items()
+        }
+        return Text(sentence.id, **names)
+    for folder in folders:
+        sentence = sentence.replace(f"{folder}/", "")
+    return sentence

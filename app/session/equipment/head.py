@@ -8,6 +8,7 @@ from app.session.control_link import ControlLink
 from app.session.equipment.choice import ClinicChoice
 from app.store.database import Database, Transaction
 from app.store.tables import Clinic
+from app.texts import Text, text_of
 
 WithPath = Callable[[JsonDocument], JsonDocument]
 """Return a configuration with the path of its file in place of its name."""
@@ -22,7 +23,7 @@ class HeadChoice(ClinicChoice):
         super().__init__(database, control, notify)
         self._with_path = with_path
         self.config: JsonDocument | None = None
-        self.failure = ""  # why the chosen one did not open, empty when it did
+        self.failure: Text | str | None = None  # why the chosen one did not open, None when it did
 
     async def open(self) -> None:
         """Open the tracker that was in use last; when that fails, `failure` says why, and none takes its place."""
@@ -31,7 +32,7 @@ class HeadChoice(ClinicChoice):
             try:
                 await self._control.load("head", config=self._with_path(self.config))
             except Refusal as refusal:
-                self.failure = str(refusal)
+                self.failure = text_of(refusal)
 
     async def use(self, config: JsonDocument | None) -> None:
         """Use another tracker, or none; when it does not open, none is in use, and the reason is raised."""
@@ -56,6 +57,6 @@ class HeadChoice(ClinicChoice):
         def _write(_db: Transaction, clinic: Clinic) -> None:
             clinic.head = config
 
-        self.config, self.failure = config, ""
+        self.config, self.failure = config, None
         await self._in_clinic(_write)
         self._notify("equipment")

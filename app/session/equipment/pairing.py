@@ -9,6 +9,7 @@ from app.speed_limits import Speeds
 from app.store.chairs import LARGEST_KEY_ID, add_chair, free_key_ids, remove_chair
 from app.store.database import Transaction
 from app.store.tables import Clinic, PairedChair
+from app.texts import Text
 
 
 def key_file(keys: Path, key_id: int) -> Path:
@@ -70,7 +71,7 @@ def pair_shirt(keys: Path) -> Key:
         if not file.exists() and not newest_file(file).exists():
             break
     else:
-        raise Conflict("Every number of a shirt's key was used: begin with a new state folder.")
+        raise Conflict(Text("visit-keys-used-up"))
     key = new_key(key_id)
     write_key(file, key)
     try:

@@ -11,10 +11,11 @@ from app.json_values import JsonDocument
 from app.layout import ShirtLayout
 from app.refusals import Conflict, NotFound, Refusal, Unavailable
 from app.session.control_link import ControlLink
-from app.session.equipment.choice import ClinicChoice
+from app.session.equipment.choice import ClinicChoice, without_folders
 from app.session.equipment.pairing import shirt_key_files
 from app.store.database import Database, Transaction
 from app.store.tables import Clinic
+from app.texts import Text, from_document, text_of
 
 STANDARD_SHIRT: JsonDocument = {
     "kind": "simulator",
@@ -24,7 +25,7 @@ STANDARD_SHIRT: JsonDocument = {
     "dead_channels": [],
 }
 STANDARD_BODY: JsonDocument = {"kind": "person", "skill": "practised", "seed": 1}
-NO_SHIRT = "No shirt yet: choose one on the Shirt page."
+NO_SHIRT = Text("visit-no-shirt")
 
 
 class Equipment(ClinicChoice):
@@ -51,10 +52,10 @@ class Equipment(ClinicChoice):
         self.unused: list[str] = []
         self.layout: ShirtLayout | None = None
         self.sample_rate = 0.0
-        self.failure = ""  # why there is no shirt, empty when there is one
-        self.state = ""  # of the shirt, in words, as of the last `refresh`
+        self.failure: Text | str | None = None  # why there is no shirt, None when there is one
+        self.state: Text | str = ""  # of the shirt, in words, as of the last `refresh`
         self.silent = False  # whether there was a shirt then that sent nothing
-        self.mistrust = NO_SHIRT  # why the shirt arms no real chair, empty when it may
+        self.mistrust: Text | str | None = NO_SHIRT  # why the shirt arms no real chair, None when it may
 
     async def open(self) -> None:
         """Open the shirt that was in use last; when it does not open, `failure` says why, and none takes its place."""
@@ -67,7 +68,7 @@ class Equipment(ClinicChoice):
             if self.body is not None and self.kind == "simulator":
                 await self._open_body(self.body)
         except Refusal as refusal:
-            self.failure = str(refusal)
+            self.failure = text_of(refusal)
 
     @property
     def kind(self) -> str | None:
@@ -118,14 +119,14 @@ class Equipment(ClinicChoice):
         except Refusal:
             return  # the pages are told of a control process that is being restarted
         before, self.silent = self.silent, self.layout is not None and bool(shirt["silent"])
-        self.state = str(shirt["words"])
+        self.state = from_document(shirt["words"])
         if self.silent != before:
             self._notify("equipment")
 
     async def use_body(self, config: JsonDocument) -> None:
         """Choose another simulated body for the simulated shirt."""
         if self.kind != "simulator":
-            raise Conflict("Only the simulated shirt has a body to choose: choose the simulated shirt first.")
+            raise Conflict(Text("drives-no-body"))
         await self._open_body(config)
         self.body = config
         await self._store()
@@ -135,7 +136,7 @@ class Equipment(ClinicChoice):
         names = self.layout.channel_names if self.layout else []
         for name in channels:
             if name not in names:
-                raise NotFound(f"This shirt has no sensor '{name}': choose one of its lamps.")
+                raise NotFound(Text("visit-no-sensor", name=name))
         self.unused = [name for name in names if name in channels]
         await self._store()
 
@@ -150,10 +151,10 @@ class Equipment(ClinicChoice):
         try:
             self.layout = ShirtLayout.model_validate(answer["layout"])
         except ValidationError as error:
-            raise Conflict("The shirt's layout cannot be read: choose another shirt.") from error
+            raise Conflict(Text("visit-layout-unreadable")) from error
         self.sample_rate = float(answer["sample_rate"])
-        self.mistrust = str(answer["mistrust"])
-        self.shirt, self.failure = config, ""
+        self.mistrust = from_document(answer["mistrust"]) if answer["mistrust"] else None
+        self.shirt, self.failure = config, None
         await self.refresh()
 
     async def _open_body(self, config: JsonDocument) -> None:
@@ -164,8 +165,7 @@ class Equipment(ClinicChoice):
         try:
             return await self._control.load(do, config=config)
         except Conflict as refusal:
-            sentence = str(refusal).replace(f"{self._files}/", "").replace(f"{self._keys}/", "")
-            raise Conflict(sentence) from refusal
+            raise Conflict(without_folders(text_of(refusal), self._files, self._keys)) from refusal
 
     @property
     def key_names(self) -> list[str]:
@@ -185,7 +185,7 @@ class Equipment(ClinicChoice):
         for field in kind.fields_of("shirt-key"):
             if config.get(field) is not None:
                 keys = shirt_key_files(self._keys)
-                complete[field] = _path_of(str(config[field]), keys, "pair the shirt first (bodydrive shirt pair)")
+                complete[field] = _path_of(str(config[field]), keys, "key")
         return complete
 
     def with_path(self, config: JsonDocument) -> JsonDocument:
@@ -194,7 +194,7 @@ class Equipment(ClinicChoice):
 
     def _path_of_file(self, name: str) -> str:
         """Return the path of a file that people brought, by its name."""
-        return _path_of(name, self._files.glob("*"), "bring it with 'Add a file' first")
+        return _path_of(name, self._files.glob("*"), "file")
 
     def _read(self, _db: Transaction, clinic: Clinic) -> None:
         if clinic.shirt is not None:
@@ -208,9 +208,9 @@ class Equipment(ClinicChoice):
         self._notify("equipment")
 
 
-def _path_of(name: str, files: Iterable[Path], remedy: str) -> str:
+def _path_of(name: str, files: Iterable[Path], kind: Literal["key", "file"]) -> str:
     """Return the path of the file of this name; NotFound, with what to do instead, when there is none."""
     for file in files:
         if file.name == name:
             return str(file)
-    raise NotFound(f"There is no file '{name[:80]}' here: {remedy}.")
+    raise NotFound(Text("visit-no-file", kind=kind, name=name[:80]))

@@ -96,18 +96,18 @@ def test_it_ends_when_a_chair_is_armed_and_does_not_begin_before_the_end_of_that
 ) -> None:
     asked = Asked(calibrated, 60)
     process = started()
-    assert calibrated.refused(409, "POST", "/computer/measurement", json={"seconds": 1}) == UNDER_WAY
+    assert calibrated.refused(409, "POST", "/computer/measurement", json={"seconds": 1}) == str(UNDER_WAY)
     calibrated.start_trial()
     first = asked.answer()
-    assert (first.status_code, first.json()["detail"]) == (409, INTERRUPTED)
+    assert (first.status_code, first.json()["detail"]) == (409, str(INTERRUPTED))
     assert process.returncode is not None
-    assert calibrated.refused(409, "POST", "/computer/measurement", json={"seconds": 1}) == BUSY
+    assert calibrated.refused(409, "POST", "/computer/measurement", json={"seconds": 1}) == str(BUSY)
 
 
 def test_a_process_that_cannot_measure_is_one_sentence(signed_in: Clinic, monkeypatch: pytest.MonkeyPatch) -> None:
     for program in ("/bin/false", "/nowhere/python"):
         monkeypatch.setattr(sys, "executable", program)
-        assert signed_in.refused(503, "POST", "/computer/measurement", json={"seconds": 1}) == FAILED
+        assert signed_in.refused(503, "POST", "/computer/measurement", json={"seconds": 1}) == str(FAILED)
 
 
 @pytest.mark.parametrize("seconds", [0, 61, 1.5, "10", None])

@@ -116,6 +116,6 @@ def test_the_live_picture_shows_what_the_chair_says(ready: Any) -> None:
             time.sleep(0.01)
         assert shown.id == drive["id"]
     ready.process.says = {"chair_state": FAULT, "chair_fault": Reason.STOP_INPUT}
-    assert ready.parts[ClinicLive]._picture().chair.message == DESCRIPTIONS[Reason.STOP_INPUT]
+    assert str(ready.parts[ClinicLive]._picture().chair.message) == DESCRIPTIONS[Reason.STOP_INPUT]
     ready.process.chair = "virtual"
-    assert ready.parts[ClinicLive]._picture().chair.message == "Blue is not open: choose it again."
+    assert str(ready.parts[ClinicLive]._picture().chair.message) == "Blue is not open: choose it again."

@@ -63,10 +63,10 @@ def test_what_a_dead_socket_said_last_does_not_count_when_another_speaks_for_the
     ready.client.portal.call(pictures.of_screen, screen, "none", "dead")
     assert pictures.refusal(screen)
     ready.client.portal.call(pictures.of_screen, screen, "view", "alive")
-    assert pictures.refusal(screen) == ""
+    assert pictures.refusal(screen) is None
     ready.client.portal.call(pictures.of_screen, Screen(1, "another-screen"), "none", "other")
     ready.client.portal.call(pictures.forget, "dead")
-    assert pictures.refusal(screen) == ""
+    assert pictures.refusal(screen) is None
     ready.client.portal.call(pictures.forget, "other")
     ready.client.portal.call(pictures.of_screen, screen, "none", "alive")
     assert pictures.refusal(screen)

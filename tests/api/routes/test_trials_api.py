@@ -187,7 +187,7 @@ def test_only_who_started_a_trial_goes_on_and_ends_it_and_anybody_stops(calibrat
             ("/control/dial", {"share": 0.5}),
             ("/trials/current/end", {"reason": "by hand"}),
         ):
-            assert calibrated.refused(409, "POST", path, json=body) == ANOTHER
+            assert calibrated.refused(409, "POST", path, json=body) == str(ANOTHER)
     calibrated.good("POST", "/control/clear", json={"stops": 1})
     calibrated.end_trial()
 

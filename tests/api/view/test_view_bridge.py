@@ -15,6 +15,7 @@ from fastapi import FastAPI, HTTPException
 from fastapi.testclient import TestClient
 from starlette.websockets import WebSocketDisconnect
 
+from app.api.refusals import install_refusals
 from app.api.view import view_bridge
 from app.api.view.view_bridge import page_headers, view_router
 from app.api.view.view_controls import view_controls
@@ -176,6 +177,7 @@ def application(admitted, port, scene=None):
         raise HTTPException(401, "You are not signed in.")
 
     app = FastAPI()
+    install_refusals(app)
     app.include_router(view_router(lambda _role: port, may_view, nobody))
     app.include_router(view_controls(lambda: scene, lambda: None), prefix="/api/v1")
     return TestClient(app)

@@ -65,7 +65,7 @@ def test_the_loop_reads_a_minute_of_frames(lines: ModuleType, line: tuple[int, i
     layout = small_layout().model_dump(mode="json")
     change = setup.change_shirt(parse_shirt({"kind": "lines", "device": device, "layout": layout}))
     change.use(change.open())
-    assert (setup.source.shirt, setup.source.simulated, setup.mistrust) == ("lines", False, "")
+    assert (setup.source.shirt, setup.source.simulated, setup.mistrust) == ("lines", False, None)
     assert setup.shirt_description == f"Shirt on {device}, 3 sensors."
     loop = ControlLoop(setup, ring, None, clock)
     sent = np.arange(3 * MINUTE, dtype=np.float32).reshape(MINUTE, 3) / 4
@@ -112,7 +112,9 @@ def test_a_missing_library_is_a_sentence(lines: ModuleType, monkeypatch: pytest.
     monkeypatch.setitem(sys.modules, "serial", None)
     with pytest.raises(ModuleNotFoundError) as missing:
         make_shirt(parse_shirt({"kind": "lines"}), FakeClock()).open()
-    assert reason(missing.value, "shirt").startswith("The shirt needs the library 'serial', which is not installed")
+    assert str(reason(missing.value, "shirt")).startswith(
+        "The shirt needs the library 'serial', which is not installed"
+    )
 
 
 def test_the_page_counts_the_lines_and_names_every_format() -> None:
