@@ -27,7 +27,7 @@ from starlette.types import ASGIApp, Receive, Scope, Send
 from starlette.websockets import WebSocketClose
 
 from app import __version__
-from app.texts import ENGLISH, LANGUAGES, current_language
+from app.texts import ENGLISH, LANGUAGES, Text, current_language
 
 KINDS: Final = {
     ".css": "text/css; charset=utf-8",
@@ -51,7 +51,7 @@ LANGUAGE_MODULE: Final = "js/language.js"  # says the language of the pages
 DOCS_LIST: Final = "README"  # of docs/, the page that lists all others
 MARKDOWN: Final = ".md"
 DOCS_KINDS: Final = {".webp": "image/webp"}  # of files beside the pages; all others are plain text
-NO_DOCS_PAGE: Final = "There is no page of this name: the list of all pages is at /docs/."
+NO_DOCS_PAGE: Final = Text("refused-no-docs-page")
 
 VERSION: Final = re.compile(r"v-([0-9a-f]+)-([A-Za-z-]+)/")
 MESSAGE: Final = re.compile(r"^([a-z][\w-]*) = (.+)$", re.MULTILINE)

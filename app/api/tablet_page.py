@@ -54,7 +54,7 @@ class TabletPage:
 
     def _answer(self, scope: Scope) -> Response:
         if scope["method"] not in {"GET", "HEAD"}:
-            return PlainTextResponse(NOTHING_ELSE, 405)
+            return PlainTextResponse(str(NOTHING_ELSE), 405)
         link = self._network.link(self._host(Headers(scope=scope)))
         name = scope["path"].lstrip("/") or PAGE
         if name == "facts.json":

@@ -63,7 +63,7 @@ def driver_class(role: Role, kind: str, table: Table) -> Callable[..., object]:
     try:
         return cast(Callable[..., object], getattr(driver, name))
     except AttributeError as error:
-        raise HardwareError(f"the driver {module} has no class {name}: correct its table in app/hardware") from error
+        raise HardwareError(Text("device-no-class", driver=module, name=name)) from error
 
 
 def parse_shirt(document: object) -> ShirtConfig:

@@ -82,12 +82,13 @@ def _in_one_file(
 
         written = write_backup(target, secret, fill)
     progress("verify", 0, written.size)
+    unequal = Text("backups-unequal", file=str(target))
     try:
         if read_backup(target, secret) != written:
-            raise Refusal("its manifest is another")
+            raise Refusal(unequal)
     except (Refusal, OSError) as error:
         target.unlink(missing_ok=True)
-        raise Refusal(Text("backups-unequal", file=str(target))) from error
+        raise Refusal(unequal) from error
     return written
 
 

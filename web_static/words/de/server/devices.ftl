@@ -34,6 +34,7 @@ device-no-driver =
         [head] der Treiber { $driver } des Kopftrackers „{ $kind }“ fehlt in dieser Installation; installieren Sie bodydrive neu
        *[shirt] der Treiber { $driver } des Shirts „{ $kind }“ fehlt in dieser Installation; installieren Sie bodydrive neu
     }
+device-no-class = der Treiber { $driver } hat keine Klasse { $name }; korrigieren Sie seine Tabelle in app/hardware
 
 ## The key that a shirt or a chair shares with this machine. Each also stands behind a colon.
 

@@ -2,6 +2,7 @@
 
 refused-no-room = Die Festplatte ist voll, und hiervon wurde nichts gespeichert. Schaffen Sie Platz, und versuchen Sie es dann noch einmal.
 refused-no-address = Unter dieser Adresse gibt es nichts. Prüfen Sie die Adresse.
+refused-no-docs-page = Es gibt keine Seite dieses Namens. Die Liste aller Seiten steht unter /docs/.
 refused-no-method = Das ist unter dieser Adresse nicht möglich. Prüfen Sie die Methode.
 refused-broken = Im Programm ist ein Fehler aufgetreten. Versuchen Sie es noch einmal, und melden Sie den Fehler, wenn er wieder auftritt.
 refused-unreadable = Was gesendet wurde, ist nicht lesbar. Korrigieren Sie es.

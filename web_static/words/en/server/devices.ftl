@@ -34,6 +34,7 @@ device-no-driver =
         [head] the driver { $driver } of the head tracker '{ $kind }' is missing from this installation: install bodydrive again
        *[shirt] the driver { $driver } of the shirt '{ $kind }' is missing from this installation: install bodydrive again
     }
+device-no-class = the driver { $driver } has no class { $name }: correct its table in app/hardware
 
 ## The key that a shirt or a chair shares with this machine. Each also stands behind a colon.
 

@@ -2,6 +2,7 @@
 
 refused-no-room = The disk is full, and nothing was kept of this: make room, then try again.
 refused-no-address = There is nothing at this address: check it.
+refused-no-docs-page = There is no page of this name: the list of all pages is at /docs/.
 refused-no-method = This cannot be done at this address: check the method.
 refused-broken = Something went wrong inside the program: try again, and report it if it happens again.
 refused-unreadable = What was sent cannot be read: correct it.

@@ -34,6 +34,7 @@ device-no-driver =
         [head] en esta instalación falta el controlador { $driver } del seguimiento de la cabeza “{ $kind }”: instale bodydrive de nuevo
        *[shirt] en esta instalación falta el controlador { $driver } de la camiseta “{ $kind }”: instale bodydrive de nuevo
     }
+device-no-class = el controlador { $driver } no tiene la clase { $name }: corrija su tabla en app/hardware
 
 ## The key that a shirt or a chair shares with this machine. Each also stands behind a colon.
 

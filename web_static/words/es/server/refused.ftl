@@ -2,6 +2,7 @@
 
 refused-no-room = El disco está lleno y de esto no se guardó nada: libere espacio e inténtelo de nuevo.
 refused-no-address = En esta dirección no hay nada: compruébela.
+refused-no-docs-page = No hay ninguna página con este nombre: la lista de todas está en /docs/.
 refused-no-method = Esto no se puede hacer en esta dirección: compruebe el método.
 refused-broken = Algo falló dentro del programa: inténtelo de nuevo y, si se repite, comuníquelo.
 refused-unreadable = Lo enviado no se puede leer: corríjalo.
