@@ -116,6 +116,13 @@ def from_document(document: Any) -> Text | str:
     return Text(document["text"], **values)
 
 
+def load_language(language: str = ENGLISH) -> None:
+    """Read the messages of a language, for some tenths of a second, before the first sentence would have to wait."""
+    from app import fluent_catalogue as catalogue  # noqa: PLC0415  # the control process never gets here
+
+    catalogue.load(language)
+
+
 def current_language() -> str:
     """Return the language in which sentences are made now."""
     return _language.get()

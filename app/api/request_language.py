@@ -3,6 +3,7 @@
 The patient's screen names its language in the address: it may stand in the same browser as the clinician's page.
 """
 
+import asyncio
 from collections.abc import Iterator
 from typing import Final
 
@@ -11,7 +12,7 @@ from starlette.responses import Response
 from starlette.types import ASGIApp, Receive, Scope, Send
 
 from app.api.sign_in.cookies import read_cookie, set_cookie
-from app.texts import ENGLISH, LANGUAGES, reader_language
+from app.texts import ENGLISH, LANGUAGES, load_language, reader_language
 
 COOKIE: Final = "language"
 IN_ADDRESS: Final = "language"  # of the query
@@ -23,13 +24,18 @@ class RequestLanguage:
 
     def __init__(self, app: ASGIApp) -> None:
         self._app = app
+        self._loaded = {ENGLISH}
 
     async def __call__(self, scope: Scope, receive: Receive, send: Send) -> None:
         """Pass the request on."""
         if scope["type"] == "lifespan":
             await self._app(scope, receive, send)
             return
-        with reader_language(language_of(HTTPConnection(scope))):
+        language = language_of(HTTPConnection(scope))
+        if language not in self._loaded:  # in a thread: a Stop waits for no language
+            await asyncio.to_thread(load_language, language)
+            self._loaded.add(language)
+        with reader_language(language):
             await self._app(scope, receive, send)
 
 
