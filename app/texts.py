@@ -15,7 +15,7 @@ from pydantic import GetCoreSchemaHandler
 from pydantic_core import CoreSchema, SchemaSerializer, core_schema
 
 ENGLISH: Final = "en"
-LANGUAGES: Final = (ENGLISH,)  # that a person can choose
+LANGUAGES: Final = (ENGLISH, "es", "de")  # that a person can choose
 
 _language: ContextVar[str] = ContextVar("language", default=ENGLISH)
 

@@ -10,7 +10,7 @@ from sqlalchemy import func, select
 from sqlalchemy.orm import Session
 
 from app.clock import utc_now
-from app.quantities import Document
+from app.quantities import Document, Line
 from app.refusals import Conflict, NotFound
 from app.store.log import write_log
 from app.store.own_rows import own_row
@@ -31,7 +31,7 @@ class ScreenSettings(Document):
     sounds: StrictBool = False
     large: StrictBool = False  # larger text
     plan: StrictBool = False  # the drawn plan from above instead of the 3D view
-    language: Annotated[str, Field(max_length=8)] | None = None  # the patient's; None: that of the screen's browser
+    language: Annotated[Line, Field(max_length=8)] | None = None  # the patient's; None: that of the screen's browser
 
 
 def _hash(token: str) -> str:

@@ -15,7 +15,7 @@ PATIENT = {"code": "P-77", "pseudonym": "Bartailed", "note": "likes the window"}
 # sign in: never a patient.
 WORDS_OF_ADDRESSES = {
     *("name", "floorplan", "path", "measure", "kind", "identity", "step", "role", "source", "same_name", "form"),
-    *("word", "consent", "course", "person"),
+    *("word", "consent", "course", "person", "language"),
 }
 NUMBERS = {"integer", "number", "boolean", "null"}
 

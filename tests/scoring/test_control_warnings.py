@@ -49,7 +49,7 @@ def test_no_trials_and_steady_trials_give_no_warning():
     assert control_warnings([]) == ([], None)
     random = np.random.default_rng(1)
     trials = [trial(n, joint(random.normal(0, 1.5), span=random.normal(2, 0.1)), session=1 + n // 4) for n in range(32)]
-    assert control_warnings(trials) == ([], "")
+    assert control_warnings(trials) == ([], None)
 
 
 def test_few_trials_are_called_few():

@@ -9,7 +9,7 @@ from app.api.deps import Db, ForEveryone
 from app.api.page_session import LOOKS, any_session
 from app.api.request_language import keep_language
 from app.api.who_asks import WhoAsks
-from app.quantities import Document
+from app.quantities import Document, Line
 from app.store.access.rights import find_person_by_id
 from app.texts import LANGUAGES, Text
 
@@ -19,7 +19,7 @@ router = APIRouter(prefix="/auth", tags=["sign-in"], dependencies=[ForEveryone])
 class LanguageChoice(Document):
     """The language that a reader wants."""
 
-    language: Annotated[str, Field(max_length=8)]  # ISO 639-1, of those that are offered
+    language: Annotated[Line, Field(max_length=8)]  # ISO 639-1, of those that are offered
 
 
 @router.put("/language", status_code=204)

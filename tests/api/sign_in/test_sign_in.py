@@ -22,7 +22,7 @@ def test_the_code_of_the_link_signs_in_as_often_as_it_is_opened(clinic: Any) -> 
         "needs_setup": False,
         "version": "0.2.0",
         "language": "en",
-        "languages": ["en"],
+        "languages": ["en", "es", "de"],
     }
     assert clinic("POST", "/auth/demo", json={"code": "another"}).status_code == 401
     for _ in range(2):
