@@ -26,6 +26,11 @@ DAYS: Final = {"en": "yyyy-MM-dd"}  # how a day is written, where it is not the 
 resolver.MAX_PART_LENGTH = 1_000_000  # characters of a value; with more, the whole message would be "{???}"
 
 
+def load(language: str) -> None:
+    """Read the messages of a language, which takes some tenths of a second, before the first sentence needs them."""
+    _bundle(language)
+
+
 def sentence(language: str, message: str, values: dict[str, Any]) -> str:
     """Return a message with its values in a language; its id where the catalogue has no such message."""
     bundle = _bundle(language)

@@ -116,6 +116,14 @@ def from_document(document: Any) -> Text | str:
     return Text(document["text"], **values)
 
 
+def load_languages() -> None:
+    """Read all messages now: the first sentence would otherwise wait for it, and whatever waits behind that."""
+    from app import fluent_catalogue as catalogue  # noqa: PLC0415  # the control process never gets here
+
+    for language in LANGUAGES:
+        catalogue.load(language)
+
+
 def current_language() -> str:
     """Return the language in which sentences are made now."""
     return _language.get()

@@ -62,6 +62,7 @@ from app.settings import Settings, docs_folder, static_folder
 from app.store.database import Database
 from app.store.keeping.passed_time import store_clocks
 from app.store.log_chain import warn_of_changed_log
+from app.texts import load_languages
 from app.world.scene import bundled_places
 
 PREFIX = "/api/v1"
@@ -119,8 +120,9 @@ def create_app(
         database = await asyncio.to_thread(_opened, settings)
         parts = make_parts(app, settings, database, start_process, computing, open_scene)
         await start_parts(parts)
-        # The places are validated before the first page asks for them.
+        # The places are validated, and sentences read, before the first page asks for them.
         beside = [
+            asyncio.create_task(asyncio.to_thread(load_languages)),
             asyncio.create_task(asyncio.to_thread(warn_of_changed_log, settings.database)),
             asyncio.create_task(asyncio.to_thread(bundled_places)),
         ]
