@@ -279,13 +279,13 @@ class Commands:
         self._loop.begin_anew()
 
 
-def _refuse(sentence: Text | str | None) -> None:
+def _refuse(sentence: Text | None) -> None:
     """Raise CommandRefused with a sentence, if there is one."""
     if sentence is not None:
         raise CommandRefused(sentence)
 
 
-def arming_refusal(loop: ControlLoop, digest: str) -> Text | str | None:
+def arming_refusal(loop: ControlLoop, digest: str) -> Text | None:
     """Return in a sentence why the chair cannot be armed with the parameters of this hash; None when it can."""
     setup, gate = loop.setup, loop.setup.chain.gate
     if loop.run is not None and loop.run.task is not None:
@@ -303,7 +303,7 @@ def arming_refusal(loop: ControlLoop, digest: str) -> Text | str | None:
     return device_refusal(loop)
 
 
-def device_refusal(loop: ControlLoop) -> Text | str | None:
+def device_refusal(loop: ControlLoop) -> Text | None:
     """Return in a sentence which device is no longer paired, or what a real chair still needs before it is armed."""
     setup = loop.setup
     chair, parameters = setup.link, setup.parameters
@@ -319,7 +319,7 @@ def device_refusal(loop: ControlLoop) -> Text | str | None:
         return setup.mistrust
     unconfirmed = own_movement_refusal(parameters)
     if unconfirmed is not None:
-        return str(unconfirmed)
+        return unconfirmed
     if loop.run is None:
         return Text("drives-only-recorded")
     if chair.silent:

@@ -116,7 +116,7 @@ class RealArming:
             refusals.append(self._equipment.mistrust)
         unconfirmed = own_movement_refusal(stored.parameters)
         if unconfirmed is not None:
-            refusals.append(str(unconfirmed))
+            refusals.append(unconfirmed)
         if stored.practice.trials == 0:
             refusals.append(NOT_PRACTISED)
         return refusals

@@ -143,7 +143,7 @@ def _view(db: Transaction, flow: AdaptationFlow, patient_id: int, *, simulated: 
     elif not is_current(db, patient_id, waiting.base_hash, waiting.trials):
         waiting, why = None, STALE
     elif waiting.result.proposal.parameters is None:
-        why = str(waiting.result.proposal.reason)
+        why = waiting.result.proposal.reason
     practice = flow.practice.practice(db, patient_id, parameters.hash, simulated=simulated)
     labels = {joint.name: joint.label for joint in parameters.profile.layout.joints}
     changed = {
