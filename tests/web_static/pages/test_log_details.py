@@ -1,15 +1,19 @@
 """The details of a row of the log as words; the module runs in node, without a page."""
 
-from web_static.messages import LITERAL, WORDS, id_of, ids_of
+from web_static.log_rows import log_rows
+from web_static.messages import WORDS, id_of, ids_of
 
 from app.faults import Fault
-from folders import ROOT
+from app.store.keeping.owned_rows import foreign_keys
+from app.store.schema import metadata
 
 IDS = ids_of(WORDS / "en" / "log.ftl")
+ROWS = log_rows()
+SHOWN_ALONE = {"patient"}  # by its code
 
 
-def test_patients_have_their_code_and_changes_say_before_and_now(run_script):
-    assert " hold" in run_script("pages/log_details.mjs")
+def test_patients_have_their_code_and_changes_say_before_and_now(run_script, reference_file):
+    assert " hold" in run_script("pages/log_details.mjs", reference_file)
 
 
 def test_every_reason_of_a_stop_has_words() -> None:
@@ -17,9 +21,29 @@ def test_every_reason_of_a_stop_has_words() -> None:
     assert missing == []
 
 
-def test_what_happened_has_words_only_for_what_the_log_says() -> None:
-    known = [name for name in IDS if name.startswith("log-what-")]
-    code = "".join(file.read_text() for file in (ROOT / "app").rglob("*.py"))
-    said = {f"log-what-{id_of(text)}" for text in LITERAL.findall(code)}
-    assert len(known) >= 20
-    assert [what for what in known if what not in said] == []
+def test_every_row_that_the_program_writes_has_a_message() -> None:
+    assert ROWS.unread == []
+    assert len(ROWS.names) > 100
+    assert [name for name in sorted(ROWS.names) if f"log-what-{id_of(name)}" not in IDS] == []
+
+
+def test_every_message_of_a_row_is_for_one_that_the_program_writes() -> None:
+    written = {f"log-what-{id_of(name)}" for name in ROWS.names}
+    assert [name for name in IDS if name.startswith("log-what-") and name not in written] == []
+
+
+def test_every_detail_that_the_program_writes_has_a_name() -> None:
+    assert len(ROWS.details) > 60
+    named = {name for name in ROWS.details if f"log-name-{id_of(name)}" in IDS}
+    assert named | SHOWN_ALONE == ROWS.details
+
+
+def test_every_table_with_rows_of_patients_has_a_name() -> None:
+    """The row of an erased patient counts them by their tables."""
+    keys = [key for key in foreign_keys(metadata()) if key.required]
+    tables, before = {"patient"}, 0
+    while before < len(tables):
+        before = len(tables)
+        tables |= {key.table for key in keys if key.parent in tables}
+    assert len(tables) > 15
+    assert [name for name in sorted(tables - SHOWN_ALONE) if f"log-name-{id_of(name)}" not in IDS] == []

@@ -27,7 +27,8 @@ drive-place-chair = Rollstuhl
 drive-place-chair-unicycle = Virtuell, reagiert sofort
 drive-place-chair-wheelchair = Virtuell, wie ein echter Rollstuhl
 drive-place-chair-lead = Üben Sie mit dem virtuellen Rollstuhl, oder fahren Sie einen echten.
-drive-place-screen = Patientenbildschirm
+# Breaks where the card is narrower than the word.
+drive-place-screen = Patienten{ "\u00AD" }bildschirm
 drive-place-screen-lead = Ein zweiter Bildschirm für den Patienten: die Ansicht, große Hinweise und das Tempo. Dort lässt sich nichts ändern.
 drive-place-plans = Grundrisse
 drive-place-plans-state = Zeichnen oder importieren

@@ -47,7 +47,8 @@ patient-none-lead = Dieser Bildschirm weiß noch nicht, zu welcher Sitzung er ge
 patient-none-next = Wählen Sie auf der Seite der Fachkraft „Fahren“, dann „Patientenbildschirm“ und „Bildschirm koppeln“. Scannen Sie den Code dort mit der Kamera dieses Bildschirms, oder geben Sie ihn hier ein.
 patient-code = Code von der Seite der Fachkraft
 patient-code-go = Koppeln
-screens-title = Patientenbildschirm
+# Breaks where the card is narrower than the word.
+screens-title = Patienten{ "\u00AD" }bildschirm
 screens-lead = Ein zweiter Bildschirm für den Patienten: die Ansicht, große Hinweise und das Tempo. Dort lässt sich nichts ändern.
 screens-nobody = Ein Bildschirm wird mit einer Sitzung gekoppelt. Wählen Sie zuerst einen Patienten.
 screens-pair = Bildschirm koppeln

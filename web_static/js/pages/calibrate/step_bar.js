@@ -2,6 +2,7 @@
 import { t } from "../../texts.js";
 import { h } from "../../widgets/dom.js";
 import { icon } from "../../widgets/icons.js";
+import { jointLabel } from "../../widgets/joint_words.js";
 
 /**
  * @param {import("types/documents").CalibrationStep[]} steps @param {string} current @param {(id: string) => void} onGo @param {() => void} onRestart
@@ -12,7 +13,8 @@ export function stepBar(steps, current, onGo, onRestart) {
     { class: "steps", "aria-label": t("calibrate-steps") },
     steps.map((step, index) => {
       const status = step.status === "done" && step.kind !== "result" && step.message ? "failed" : step.status; // it can be used, but has to be repeated
-      const label = `${step.label}: ${t(`calibrate-step-${status}`)}`;
+      const name = step.joint ? jointLabel({ name: step.joint, label: step.label }) : step.label;
+      const label = `${name}: ${t(`calibrate-step-${status}`)}`;
       /** @type {Record<string, Node | string>} */
       const marks = { done: icon("tick", 16), failed: icon("undo", 16), skipped: "–" };
       const mark = marks[status] ?? String(index + 1);
@@ -31,7 +33,7 @@ export function stepBar(steps, current, onGo, onRestart) {
           },
           h("span", {}, mark),
           " ", // between number and name, also for what reads them out
-          h("small", {}, step.label),
+          h("small", {}, name),
         ),
       );
     }),

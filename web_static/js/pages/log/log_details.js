@@ -2,17 +2,29 @@
  * The details of a row of the log in words: patients by their code, limits in the units of the other pages, changes as
  * "before → now", nothing that is empty.
  */
+import { entryOf, nameOf, withUnit } from "../../results/measures.js";
 import { hasText, t } from "../../texts.js";
 import { day, moment, percent, size, unrounded } from "../../widgets/format.js";
-import { jointWithin } from "../../widgets/joint_words.js";
+import { jointWithin, sensorWithin } from "../../widgets/joint_words.js";
 import { SPEEDS } from "../../widgets/speed_rows.js";
 import { differenceWords } from "../chair/difference_words.js";
 
 /** @typedef {Record<string, unknown>} Details */
 
 /** Values that are no plain text or number, by the name of the detail. @type {Record<string, (value: string & number) => string>} */
-const WRITTEN = { given: day, made: moment, since: moment, bytes: size, size };
+const WRITTEN = {
+  given: day,
+  made: moment,
+  since: moment,
+  bytes: size,
+  size,
+  felt_change: percent,
+  joint: jointWords,
+  role: roleWords,
+  unused: sensorWithin,
+};
 const PATIENTS = "patients"; // whom a person may see: all where there is no list
+const MEASURED_AGAIN = "trial measured again"; // what differs are measures
 const DIAL = "dial turned"; // its `share` is that of the speeds; elsewhere it is the id of a share link
 
 /** What happened, in the words of the other pages. @param {string} what as the log has it */
@@ -27,7 +39,8 @@ export function whatWords(what) {
  */
 export function detailWords(details, codes, what = "") {
   const { before, now, share, ...rest } = details;
-  const changes = isObject(before) && isObject(now) ? changed(before, now, codes) : facts({ before, now }, codes);
+  const differing = what === MEASURED_AGAIN ? measuredAgain : changed;
+  const changes = isObject(before) && isObject(now) ? differing(before, now, codes) : facts({ before, now }, codes);
   const shares = what === DIAL ? [t("log-dial", { share: percent(Number(share)) })] : facts({ share }, codes);
   return [...facts(rest, codes), ...shares, ...changes].join(" · ");
 }
@@ -54,6 +67,36 @@ function changed(before, now, codes) {
     });
 }
 
+/** Which measures differ: "name: before → now", with all digits where fewer would hide it. @param {Details} before @param {Details} now */
+function measuredAgain(before, now) {
+  return Object.keys(before).map((name) => {
+    const values = [before[name], now[name]];
+    const [old, fresh] = values.map((value) => measureWords(name, value));
+    return `${nameOf(name)}: ${old === fresh ? values.map(unroundedWords).join(" → ") : `${old} → ${fresh}`}`;
+  });
+}
+
+/** @param {string} name of a measure @param {unknown} value */
+function measureWords(name, value) {
+  return typeof value === "number" && entryOf(name) ? withUnit(name, value) : unroundedWords(value);
+}
+
+/** @param {unknown} value of a measure */
+function unroundedWords(value) {
+  return typeof value === "number" ? unrounded(value) : t("log-value-none");
+}
+
+/** @param {string} name of a joint */
+function jointWords(name) {
+  return jointWithin({ name, label: name.replaceAll("_", " ") });
+}
+
+/** @param {string} name of a role */
+function roleWords(name) {
+  const key = `people-role-${name}`;
+  return hasText(key) ? t(key) : name;
+}
+
 /** @param {string} name of a detail */
 function nameWords(name) {
   const key = `log-name-${name}`;
@@ -78,8 +121,7 @@ function valueWords(name, value, codes) {
   if (hasText(key)) return t(key);
   if (name in WRITTEN) return WRITTEN[name](/** @type {string & number} */ (value));
   if (typeof value === "number") return unrounded(value);
-  const words = String(value);
-  return name === "joint" ? jointWithin({ name: words, label: words.replaceAll("_", " ") }) : words;
+  return String(value);
 }
 
 /** @param {unknown} value @returns {value is Details} */
