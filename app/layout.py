@@ -1,7 +1,7 @@
 """The shirt layout: the channels of a shirt, the joint of each, and its place on the body."""
 
 from collections.abc import Mapping
-from typing import Annotated, Literal, Self
+from typing import Annotated, Final, Literal, Protocol, Self
 
 from pydantic import Field, model_validator
 
@@ -11,6 +11,15 @@ from app.texts import Text
 MAX_CHANNELS = 64
 MAX_JOINTS = 16
 MIN_RING = 3  # sensors: two look alike when they change places
+USUAL_JOINTS: Final[Mapping[str, tuple[Text, Text]]] = {
+    "left_shoulder": (Text("joint-left-shoulder"), Text("joint-within-left-shoulder")),
+    "right_shoulder": (Text("joint-right-shoulder"), Text("joint-within-right-shoulder")),
+    "left_elbow": (Text("joint-left-elbow"), Text("joint-within-left-elbow")),
+    "right_elbow": (Text("joint-right-elbow"), Text("joint-within-right-elbow")),
+    "left_wrist": (Text("joint-left-wrist"), Text("joint-within-left-wrist")),
+    "right_wrist": (Text("joint-right-wrist"), Text("joint-within-right-wrist")),
+}
+"""What people call joints that most shirts have: alone or at the beginning of a sentence, and within one."""
 
 
 def is_missing(value: object) -> bool:
@@ -39,6 +48,30 @@ class Joint(Document):
 
     name: Name
     label: Title
+
+
+class NamedJoint(Protocol):
+    """A joint with its name in documents and its label."""
+
+    @property
+    def name(self) -> str: ...  # noqa: D102
+    @property
+    def label(self) -> str: ...  # noqa: D102
+
+
+def joint_title(joint: NamedJoint) -> Text | str:
+    """Return what people call a joint, alone or at the beginning of a sentence: "Left elbow"."""
+    return USUAL_JOINTS[joint.name][0] if _is_usual(joint) else joint.label
+
+
+def joint_within(joint: NamedJoint) -> Text | str:
+    """Return what people call a joint within a sentence: "left elbow"."""
+    return USUAL_JOINTS[joint.name][1] if _is_usual(joint) else joint.label
+
+
+def _is_usual(joint: NamedJoint) -> bool:
+    """Return whether a joint has a name in each language, and its layout does not label it otherwise."""
+    return joint.name in USUAL_JOINTS and joint.label.lower() == joint.name.replace("_", " ")
 
 
 class ShirtLayout(Document):
@@ -95,6 +128,16 @@ class ShirtLayout(Document):
     def joint_names(self) -> list[str]:
         """Names in the order of a profile's joints."""
         return [joint.name for joint in self.joints]
+
+    @property
+    def joint_titles(self) -> Mapping[str, Text | str]:
+        """What people call each joint, alone or at the beginning of a sentence, by name."""
+        return {joint.name: joint_title(joint) for joint in self.joints}
+
+    @property
+    def joints_within(self) -> Mapping[str, Text | str]:
+        """What people call each joint within a sentence, by name."""
+        return {joint.name: joint_within(joint) for joint in self.joints}
 
     @property
     def channels_of_joint(self) -> Mapping[str, list[int]]:

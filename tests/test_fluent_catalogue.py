@@ -32,6 +32,12 @@ def messages() -> dict[str, set[str]]:
 
 
 @cache
+def messages_for_texts() -> dict[str, set[str]]:
+    """Return the messages of the server, and those of the pages that it shares: the names of joints."""
+    return messages() | messages_of(WORDS / "en" / "joints.ftl")
+
+
+@cache
 def trees() -> dict[str, ast.Module]:
     """Return the parsed modules of the program by their paths."""
     return {str(file.relative_to(ROOT)): ast.parse(file.read_text(encoding="utf-8")) for file in FILES}
@@ -76,7 +82,7 @@ def test_a_language_has_each_message_with_the_same_values(language):
 
 @pytest.mark.parametrize("path", [path for path, tree in trees().items() if any(texts_of(tree))])
 def test_a_text_has_a_message_and_is_given_its_values(path):
-    known, wrong = messages(), []
+    known, wrong = messages_for_texts(), []
     for call in texts_of(trees()[path]):
         pattern = pattern_of(call.args[0])
         if pattern is None:

@@ -31,7 +31,7 @@ class JointMeasurements:
     repeatability: float | None
     agreement: float | None  # None: never prompted
     angle_deg: float | None
-    strongest_cross_talk: tuple[str, float] | None  # joint that answers most, and its share
+    strongest_cross_talk: tuple[Text | str, float] | None  # what the joint is called that answers most, and its share
     channels: int  # in the map
     channels_out: int  # left out of it
     prompted_share: float | None  # extent of the prompted movements as a share of the span

@@ -8,13 +8,13 @@ LEAST_IN_PHASE = 0.8  # of the activation of the person's own repetitions: the d
 LEAST_HIT = 0.3  # of the time of the person's own movements with activation: the size is right
 
 
-def joints_without_own_movement(parameters: DriveParameters) -> list[str]:
-    """Return the labels of the bound joints whose direction no own repetition has confirmed."""
-    layout = {joint.name: joint.label for joint in parameters.profile.layout.joints}
+def joints_without_own_movement(parameters: DriveParameters) -> list[Text | str]:
+    """Return what people call the bound joints whose direction no own repetition has confirmed."""
+    called = parameters.profile.layout.joints_within
     joints = {joint.name: joint for joint in parameters.profile.joints}
     bound = {parameters.gestures[i].joint for i in parameters.bound_gestures}
     return [
-        layout[name]
+        called[name]
         for name, joint in joints.items()
         if name in bound and (joint.map == "prior" or not joint.prompted) and not (joint.prior and agrees(joint.prior))
     ]

@@ -2,6 +2,7 @@
 
 import hashlib
 import json
+import math
 from typing import Annotated, Literal, Self
 
 from pydantic import Field, model_validator
@@ -11,7 +12,7 @@ from app.messages import MAX_GESTURES
 from app.quantities import Cutoff, Document, Gain, Name, Threshold
 from app.signals.smoothing import STANDARD_CUTOFF
 from app.speed_limits import Speeds
-from app.texts import Figure, Text
+from app.texts import Text
 
 Control = Literal["u1+", "u1-", "u2+", "u2-", "stop"]
 Feature = Literal["rate", "displacement"]
@@ -40,8 +41,9 @@ class Gesture(Document):
     @model_validator(mode="after")
     def _full_is_above_dead_zone(self) -> Self:
         if self.full < self.dead_zone + 0.01:
-            full, dead_zone = Figure(100 * self.full), Figure(100 * self.dead_zone)
-            raise ValueError(Text("calibration-full-too-low", gesture=self.name, full=full, least=dead_zone))
+            # Rounded apart, so that the two numbers are never written alike.
+            full, least = math.floor(100 * self.full), math.ceil(round(100 * self.dead_zone + 1, 6))
+            raise ValueError(Text("calibration-full-too-low", gesture=self.name, full=full, least=least))
         return self
 
 

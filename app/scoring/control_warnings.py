@@ -8,7 +8,9 @@ import numpy as np
 from numpy.typing import NDArray
 
 from app.calibration.grades import EVR_LIMITS, LARGEST_ANGLE
+from app.layout import joint_title, joint_within
 from app.scoring.control_quality import BadChannel
+from app.scoring.joint_quality import JointQuality
 from app.scoring.trend import mann_kendall
 from app.scoring.trial_assessment import (
     EDGE,
@@ -94,35 +96,37 @@ def _note(trials: Sequence[TrialAssessment]) -> Text | None:
 
 def sensor_warnings(trial: TrialAssessment) -> list[ControlWarning]:
     """Warn of sensors that failed in the last trial; several sensors outside their range mean that the shirt moved."""
-    labels = {joint.name: joint.label for joint in trial.quality.joints}
+    joints = {joint.name: joint for joint in trial.quality.joints}
     failed = [channel for channel in trial.quality.bad_channels if channel.share >= FAILED_SHARE]
     outside = [channel for channel in failed if not channel.silent]
-    warnings = [_sensor_warning(trial, channel, labels[channel.joint]) for channel in failed if channel.silent]
+    warnings = [_sensor_warning(trial, channel, joints[channel.joint]) for channel in failed if channel.silent]
     if len(outside) == 1:
-        warnings.append(_sensor_warning(trial, outside[0], labels[outside[0].joint]))
+        warnings.append(_sensor_warning(trial, outside[0], joints[outside[0].joint]))
     elif outside:
-        joints = list(dict.fromkeys(labels[channel.joint] for channel in outside))
+        moved = [joints[name] for name in dict.fromkeys(channel.joint for channel in outside)]
+        names = [joint_within(joint) for joint in moved]
         warnings.append(
             ControlWarning(
                 kind="map",
-                joint=", ".join(joints),
-                message=Text("warning-shirt", count=len(outside), joints=joints, trial=trial.number),
+                joint=Text("warning-joints", joints=[joint_title(joint) for joint in moved]),
+                message=Text("warning-shirt", count=len(outside), joints=names, trial=trial.number),
                 advice=Text("warning-shirt-advice"),
             )
         )
     return warnings
 
 
-def _sensor_warning(trial: TrialAssessment, channel: BadChannel, label: str) -> ControlWarning:
+def _sensor_warning(trial: TrialAssessment, channel: BadChannel, joint: JointQuality) -> ControlWarning:
+    title = joint_title(joint)
     values: dict[str, Value] = {
-        "joint": label,
+        "joint": title,
         "sensor": channel.name,
         "percent": Figure(100 * channel.share),
         "trial": trial.number,
     }
     return ControlWarning(
         kind="sensor",
-        joint=label,
+        joint=title,
         message=Text("warning-sensor-silent" if channel.silent else "warning-sensor-range", **values),
         advice=Text("warning-sensor-advice"),
     )
@@ -133,23 +137,23 @@ def fit_warnings(rows: Sequence[JointInTrial]) -> list[ControlWarning]:
     rows = [row for row in rows if row.joint.direction is not None]
     if len(rows) < FEWEST:
         return []
-    last_trials, label = rows[-min(EDGE, len(rows)) :], rows[-1].joint.label
+    last_trials, title = rows[-min(EDGE, len(rows)) :], joint_title(rows[-1].joint)
     guided = [Text("warning-other-map")] if rows[-1].joint.guided else []
     angle, evr = median_of(last_trials, "map_angle_deg"), median_of(last_trials, "evr")
     turn = _turn(rows)
     if turn > LARGEST_TURN:
-        finding = Text("warning-turned", joint=label, degrees=Figure(turn))
+        finding = Text("warning-turned", joint=title, degrees=Figure(turn))
         advice = Text("warning-turned-advice")
     elif angle > LARGEST_ANGLE and evr >= EVR_LIMITS[0]:
         lost = Figure(100 * median_of(last_trials, "null_space_share"))
-        finding = Text("warning-off-map", joint=label, degrees=Figure(angle), percent=lost)
+        finding = Text("warning-off-map", joint=title, degrees=Figure(angle), percent=lost)
         advice = Text("warning-off-map-advice")
     elif evr < EVR_LIMITS[0] and evr < median_of(rows[:EDGE], "evr") - EVR_FALL:
-        finding = Text("warning-unclear", joint=label, percent=Figure(100 * evr))
+        finding = Text("warning-unclear", joint=title, percent=Figure(100 * evr))
         advice = Text("warning-unclear-advice")
     else:
         return []
-    return [ControlWarning(kind="map", joint=label, message=finding, advice=in_sequence([advice, *guided]))]
+    return [ControlWarning(kind="map", joint=title, message=finding, advice=in_sequence([advice, *guided]))]
 
 
 def _turn(rows: Sequence[JointInTrial]) -> float:
@@ -182,15 +186,15 @@ def noise_warnings(of_map: Sequence[JointInTrial], every: Sequence[JointInTrial]
     """Warn when a joint's noise at rest is near its dead-zone, or has grown."""
     measured = [row for row in of_map if row.joint.rest_rate is not None]
     if len(measured) >= FEWEST and (joint := measured[-1].joint).dead_zone is not None:
-        now, dead_zone, label = median_of(measured[-EDGE:], "rest_rate"), joint.dead_zone, joint.label
+        now, dead_zone, title = median_of(measured[-EDGE:], "rest_rate"), joint.dead_zone, joint_title(joint)
         if now > NOISE_SHARE * dead_zone:
             return [
                 ControlWarning(
                     kind="noise",
-                    joint=label,
+                    joint=title,
                     message=Text(
                         "warning-trembles",
-                        joint=label,
+                        joint=title,
                         percent=Figure(100 * now),
                         counts_from=Figure(100 * dead_zone),
                         better_from=Figure(400 * now),
@@ -205,12 +209,12 @@ def noise_warnings(of_map: Sequence[JointInTrial], every: Sequence[JointInTrial]
     first, last = float(np.median(values[:EDGE])), float(np.median(values[-EDGE:]))
     if first <= 0 or last < NOISE_GROWTH * first or not _has_trend(values, "rises"):
         return []
-    label = rows[-1].joint.label
+    title = joint_title(rows[-1].joint)
     return [
         ControlWarning(
             kind="noise",
-            joint=label,
-            message=Text("warning-noise", joint=label, ratio=Figure(last / first, 1)),
+            joint=title,
+            message=Text("warning-noise", joint=title, ratio=Figure(last / first, 1)),
             advice=Text("warning-noise-advice"),
         )
     ]
@@ -224,7 +228,7 @@ def span_warnings(every: Sequence[JointInTrial]) -> list[ControlWarning]:
     rows = [row for row in every if row.joint.span]
     if not rows or _has_trend(_per_metre(rows), "falls"):
         return []
-    label = rows[-1].joint.label
+    title = joint_title(rows[-1].joint)
     sessions = [
         float(np.median([float(row.joint.span or 0.0) for row in group]))
         for _, group in groupby(rows, key=lambda row: row.trial.session)
@@ -233,17 +237,17 @@ def span_warnings(every: Sequence[JointInTrial]) -> list[ControlWarning]:
     has_fallen = len(sessions) >= LEAST_SESSIONS and sessions[-1] < (1 - SPAN_FALL) * sessions[0]
     if has_fallen and _has_trend(sessions, "falls"):
         fall = 1 - sessions[-1] / sessions[0]
-        finding = Text("warning-smaller", joint=label, percent=Figure(100 * fall), sessions=len(sessions))
+        finding = Text("warning-smaller", joint=title, percent=Figure(100 * fall), sessions=len(sessions))
         advice = Text("warning-smaller-advice")
     elif len(in_last_session) >= LEAST_TRIALS and _has_trend(in_last_session, "falls"):
         first, last = float(np.median(in_last_session[:EDGE])), float(np.median(in_last_session[-EDGE:]))
         if last >= (1 - SPAN_FALL_WITHIN) * first:
             return []
-        finding = Text("warning-tired", joint=label, percent=Figure(100 * (1 - last / first)))
+        finding = Text("warning-tired", joint=title, percent=Figure(100 * (1 - last / first)))
         advice = Text("warning-tired-advice")
     else:
         return []
-    return [ControlWarning(kind="span", joint=label, message=finding, advice=advice)]
+    return [ControlWarning(kind="span", joint=title, message=finding, advice=advice)]
 
 
 def _unit(row: JointInTrial) -> float:

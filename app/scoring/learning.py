@@ -196,8 +196,8 @@ def session_sentences(name: str, kept_change: Retention) -> Text:
     if within.is_noise and between.is_noise:
         return Text("learning-sessions-noise", sessions=within.sessions)
     steps: dict[str, Value] = {
-        "within": Text("learning-within", how=within.how, amount=measure.level(abs(within.mean))),
-        "between": Text("learning-between", how=between.how, amount=measure.level(abs(between.mean))),
+        "within": Text("learning-within", how=within.how, amount=measure.difference(abs(within.mean))),
+        "between": Text("learning-between", how=between.how, amount=measure.difference(abs(between.mean))),
         "sessions": within.sessions,
     }
     if within.is_noise or not _is_better(name, within.mean):
@@ -235,10 +235,10 @@ def _test(change: CourseChange) -> list[Text]:
     """Say how the change was tested; nothing where it was not."""
     if change.p_value is None:
         return []
-    level = _two_digits(change.level)
+    level, sessions = _two_digits(change.level), change.sessions
     if change.p_value < 0.001:
-        return [Text("learning-p-small", level=level)]
-    return [Text("learning-p", p=_two_digits(change.p_value), level=level)]
+        return [Text("learning-p-small", level=level, sessions=sessions)]
+    return [Text("learning-p", p=_two_digits(change.p_value), level=level, sessions=sessions)]
 
 
 def _two_digits(value: float) -> float:
@@ -280,7 +280,7 @@ def _change(measure: Measure, learning: LearningCurve, change: CourseChange, hea
         head=head,
         subject=measure.as_subject,
         how=how,
-        amount=measure.level(abs(last - first)),
+        amount=measure.difference(abs(last - first)),
         first=measure.figure(first),
         last=measure.level(last),
     )
@@ -306,7 +306,7 @@ def _interval(measure: Measure, change: MeanChange) -> dict[str, Value]:
         mean, (low, high) = abs(mean), sorted((abs(low), abs(high)))
     return {
         "how": change.how,
-        "change": measure.level(mean),
+        "change": measure.difference(mean),
         "low": measure.figure(low),
         "high": measure.figure(high),
     }
@@ -317,7 +317,8 @@ def _slope(measure: Measure, learning: LearningCurve, change: CourseChange) -> l
     slope = theil_sen(learning.n.tolist(), learning.values.tolist())
     if not _is_change(change) or slope == 0 or (slope < 0) != change.falls:
         return []
-    step = measure.with_unit(_two_digits(abs(slope) * measure.factor))
+    figure = _two_digits(abs(slope) * measure.factor)
+    step = measure.difference_with_unit(figure, figure)
     return [Text("learning-slope", how="falls" if change.falls else "rises", step=step)]
 
 

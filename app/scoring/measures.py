@@ -64,6 +64,14 @@ class Measure:
         """Return a stored value as people read it, with its unit."""
         return self.with_unit(self.figure(value))
 
+    def difference(self, value: float) -> Text:
+        """Return a difference of two stored values as people read it, with its unit; of shares, percentage points."""
+        return self.difference_with_unit(self.figure(value), round(value * self.factor, self.digits))
+
+    def difference_with_unit(self, figure: Value, count: float) -> Text:
+        """Return the figure of a difference with the unit behind it; `count` is the number that is written."""
+        return Text("measure-points", figure=figure, count=count) if self.unit == "%" else self.with_unit(figure)
+
 
 # Unit on screen, UCUM code, digits.
 COUNT: Final = ("", "1", 0)

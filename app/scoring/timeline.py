@@ -127,7 +127,7 @@ def timeline_of(folder: FilePath, path_points: Sequence[Sequence[float]], end: s
     run = read_run(folder)
     if run.rows == 0:
         raise ValueError(
-            Text("trial-recording-damaged", damage=run.damage) if run.damage else Text("trial-recording-nothing")
+            Text("trial-recording-damaged", damage=run.damage) if run.damage else Text("trial-recording-empty")
         )
     rows = run.columns
     t = since_armed(rows)

@@ -31,7 +31,7 @@ class ControlWarning(Document):
     """A warning from a patient's trials, with advice."""
 
     kind: Kind
-    joint: str  # label of the joint, or of several
+    joint: Text  # what the joint is called, or several are
     message: Text  # what was found
     advice: Text  # what to do
 

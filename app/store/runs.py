@@ -113,7 +113,7 @@ def finish_trial(db: Session, trial_id: int, end: str, measures: JsonDocument | 
 def _ask_for(trial: Trial) -> None:
     reason = reason_to_ask(trial.measures or {})
     if trial.kept and reason is not None:
-        trial.kept, trial.discard_reason = False, str(reason)
+        trial.kept, trial.discard_reason = False, reason
 
 
 def trials_of_older_measures(db: Session, version: int) -> dict[int, str]:
@@ -170,7 +170,7 @@ def trials_of(db: Session, patient_id: int, floorplan: str | None = None, path: 
     return list(db.scalars(query))
 
 
-def keep_trial(db: Session, trial_id: int, discard_reason: str | None) -> Trial:
+def keep_trial(db: Session, trial_id: int, discard_reason: Text | str | None) -> Trial:
     """Keep a trial, or discard it for a reason; its recording stays."""
     trial = find_trial(db, trial_id)
     if trial.status != "done":

@@ -5,7 +5,7 @@ from browser.worlds import drive, open_drive_page, tasks
 
 pytestmark = [pytest.mark.browser, pytest.mark.long]
 
-SHORT = {("turning.easy", "left"): "Angle off the mark", ("backing.easy", "back"): "Distance driven"}
+SHORT = {("turning.easy", "left"): "Angle off the asked heading", ("backing.easy", "back"): "Distance driven"}
 
 
 def test_a_turn_and_a_way_back_are_driven_and_measured_as_such(browser, page_log, demo):

@@ -164,7 +164,7 @@ def test_cross_talk_is_measured_and_reported(person):
     assert matrix[2, 3] > 0.7
     assert matrix[3, 2] < 0.1
     assert profile.joints[2].grade == "usable"
-    assert "'left_shoulder' answers too" in str(profile.joints[2].description)
+    assert "Left shoulder answers too" in str(profile.joints[2].description)
     assert profile.joints[3].grade == "good"
 
 

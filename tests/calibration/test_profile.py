@@ -83,9 +83,9 @@ def test_the_handles_are_those_of_the_map_that_is_chosen():
 @pytest.mark.parametrize(
     ("changes", "words"),
     [
-        ({"guided": None}, "has no guided map"),
+        ({"guided": None}, "has no 'guided': add it"),
         ({"guided": guided(3).model_dump()}, "one number per channel"),
-        ({"map": "prior"}, "has no prior map"),
+        ({"map": "prior"}, "has no 'prior': add it"),
         ({"prior": prior(3).model_dump()}, "one number per channel"),
         ({"map": "best"}, "'pca', 'guided' or 'prior'"),
     ],
@@ -144,7 +144,7 @@ def test_sentences_are_stored_as_ids_with_values():
     read = CalibrationProfile.model_validate_json(profile.model_dump_json(), strict=True)
     assert read.joints[0].reason == reason
     assert str(read.joints[0].description).endswith(
-        "check it in Try it. It was not prompted, so which way it counts is not known: prompt it."
+        "check it in “Try it”. It was not prompted, so which way it counts is not known: prompt it."
     )
 
 

@@ -48,7 +48,7 @@ def test_no_two_gestures_of_which_one_comes_with_the_other_are_bound():
     for share in (0.5, 0.9):
         suggestion = suggested(calibrated(("jaw", "neck"), {"jaw": {"neck": share}}))
         assert [(binding.control, len(binding.gestures)) for binding in suggestion.bindings] == [("u1+", 1)]
-        assert "is left out: it comes with" in str(suggestion.reason)
+        assert "is left out because of" in str(suggestion.reason)
         assert "nothing was prompted" not in str(suggestion.reason)
     three = suggested(calibrated(("jaw", "neck", "brow"), {"jaw": {"neck": 0.9}}))
     names = {name for binding in three.bindings for name in binding.gestures}

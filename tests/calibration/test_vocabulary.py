@@ -1,3 +1,5 @@
+import re
+
 import pytest
 from pydantic import ValidationError
 
@@ -38,3 +40,9 @@ def test_the_hash_is_that_of_what_drives():
 def test_full_is_a_number_above_the_dead_zone(full):
     with pytest.raises(ValidationError):
         Gesture(name="right_elbow", joint="right_elbow", dead_zone=0.2, full=full)
+
+
+@pytest.mark.parametrize(("dead_zone", "full", "words"), [(0.2, 0.1, "(10 %)"), (0.2, 0.2099, "(20 %)")])
+def test_a_full_that_is_too_low_is_told_the_least_one(dead_zone, full, words):
+    with pytest.raises(ValidationError, match=re.escape(words) + " must be at least 21 %"):
+        Gesture(name="right_elbow", joint="right_elbow", dead_zone=dead_zone, full=full)

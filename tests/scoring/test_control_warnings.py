@@ -11,6 +11,7 @@ from app.scoring.control_quality import BadChannel, ControlQuality
 from app.scoring.control_warnings import control_warnings
 from app.scoring.joint_quality import JointQuality
 from app.scoring.trial_assessment import TrialAssessment
+from app.texts import reader_language
 
 CHANNELS = ("e1", "e2", "e3")
 
@@ -53,14 +54,14 @@ def test_no_trials_and_steady_trials_give_no_warning():
 
 
 def test_few_trials_are_called_few():
-    assert "1 in the last session, and 1 session" in str(control_warnings([trial(1)]).note)
+    assert "1 trial in the last session, 1 session in all" in str(control_warnings([trial(1)]).note)
     assert control_warnings([trial(n) for n in range(8)]).note is None
     assert "of one task" in str(control_warnings([trial(n, task=f"clinic/{n}") for n in range(8)]).note)
 
 
 def test_a_sensor_that_failed_in_the_last_trial_is_named_with_what_to_do():
     (warning,) = control_warnings([trial(1), trial(2, bad=(bad("e2", 0.64),))]).warnings
-    assert (warning.kind, warning.joint) == ("sensor", "Right elbow")
+    assert (warning.kind, str(warning.joint)) == ("sensor", "Right elbow")
     assert "e2 gave no signal for 64 %" in str(warning.message)
     assert "plug" in str(warning.advice)
     assert kinds([trial(1, bad=(bad("e2", 0.64),)), trial(2)]) == []
@@ -73,6 +74,15 @@ def test_several_sensors_outside_their_range_mean_that_the_shirt_moved():
     assert (warning.kind, "2 sensors" in str(warning.message)) == ("map", True)
     assert "fit the calibration" in str(warning.advice)
     assert kinds([trial(1, bad=outside[:1])]) == ["sensor"]
+
+
+def test_joints_are_called_as_the_reader_calls_them():
+    bad_channels = [bad("e1", 1.0, silent=False), BadChannel(name="h1", joint="head", share=1.0, silent=False)]
+    (warning,) = control_warnings([trial(1, joint(), joint(name="head", label="Head"), bad=bad_channels)]).warnings
+    assert "(right elbow and Head)" in str(warning.message)
+    with reader_language("de"):
+        assert str(warning.joint) == "Rechter Ellbogen und Head"
+        assert "(rechter Ellbogen und Head)" in str(warning.message)
 
 
 def test_trials_with_an_older_map_give_no_warning_of_sensors_and_fit():

@@ -138,10 +138,16 @@ def test_numbers_that_are_missing_are_left_out_and_the_answer_is_json() -> None:
 def test_a_share_is_said_in_percent_and_fitted_as_it_is_stored() -> None:
     shares = 0.9 - 0.5 * np.exp(-np.arange(22) / 4)
     curve = learning_curves(trials_of(shares, "follow_near"))["follow_near"]
-    assert " rose by about 39 %, from 51 to 90 %." in str(curve["text"])
+    assert " rose by about 39 percentage points, from 51 to 90 %." in str(curve["text"])
     assert "levels off at about 90 %" in str(curve["text"])
     assert " rose from 51 % to 90 %." in str(curve["details"][0])
+    assert "percentage point" in str(curve["details"][0])
     assert max(curve["fit"]["value"]) < 1
+
+
+def test_within_one_session_its_trials_are_compared() -> None:
+    details = learning_curves(trials_of(np.linspace(5, 2, 22)))["e_diff"]["details"]
+    assert "The last third of the trials against the first, beside" in str(details[0])
 
 
 def test_equal_values_are_level() -> None:

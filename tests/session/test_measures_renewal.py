@@ -17,6 +17,7 @@ from app.store.database import Database
 from app.store.learning_trials import counted_trials
 from app.store.runs import keep_trial, trials_of_older_measures
 from app.store.tables import LogEntry, PatientSession, Trial
+from app.texts import reader_language
 from building import make_parameters, plan_of
 
 PLAN = plan_of()
@@ -47,7 +48,9 @@ def test_a_trial_that_the_machine_interrupted_counts_when_a_person_says_so(datab
     with database.transaction() as db:
         first, halted = (db.get_one(Trial, each) for each in ids)
         assert (first.kept, first.discard_reason, halted.kept) == (True, None, False)
-        assert "halted 3 times, 14 s" in halted.discard_reason
+        assert "halted 3 times, 14 s" in str(halted.discard_reason)
+        with reader_language("de"):
+            assert "3-mal angehalten, 14 s" in str(halted.discard_reason)
         task = (halted.patient_id, halted.floorplan, halted.path)
         assert [one.trial.id for one in counted_trials(db, *task)] == [first.id]
         reason = halted.discard_reason

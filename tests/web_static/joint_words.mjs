@@ -7,29 +7,26 @@ const { LANGUAGE } = await import(pathToFileURL(`${folder}/language.js`));
 const { jointLabel, jointWithin, labelsOf, labelWords, sensorName, sensorWithin } = await import(
   pathToFileURL(`${folder}/widgets/joint_words.js`)
 );
-const { gestureWithin, gestureWords, withLabels } = await import(pathToFileURL(`${folder}/widgets/gestures.js`));
+const { gestureWithin, gestureWords } = await import(pathToFileURL(`${folder}/widgets/gestures.js`));
 
-const { alone, within, sensor, back, sentence } = {
+const { alone, within, sensor, back } = {
   en: {
     alone: "Right elbow",
     within: "right elbow",
     sensor: "Right elbow 3",
     back: "right elbow, going back, held",
-    sentence: "Repeat right elbow.",
   },
   es: {
     alone: "Codo derecho",
     within: "codo derecho",
     sensor: "Codo derecho 3",
     back: "codo derecho, al volver, manteniendo",
-    sentence: "Repeat codo derecho.",
   },
   de: {
     alone: "Rechter Ellbogen",
     within: "rechter Ellbogen",
     sensor: "Rechter Ellbogen 3",
     back: "rechter Ellbogen, zurück, gehalten",
-    sentence: "Repeat rechter Ellbogen.",
   },
 }[LANGUAGE];
 
@@ -53,5 +50,4 @@ const gesture = { joint: "right_elbow", direction: 1, feature: "rate" };
 assert.equal(gestureWords(gesture, labels), alone);
 assert.equal(gestureWithin(gesture, labels), within);
 assert.equal(gestureWithin({ ...gesture, direction: -1, feature: "displacement" }, labels), back);
-assert.equal(withLabels("Repeat 'right_elbow'.", labels), sentence);
 console.log("names of joints hold");

@@ -69,7 +69,7 @@ def joints_followed(before: CalibrationProfile, after: CalibrationProfile) -> li
 
 def _refuse_turned_rings(profile: CalibrationProfile, today: dict[str, Arrangement]) -> None:
     """Refuse a ring that sits otherwise than when it was calibrated, where the calibration compared it with others."""
-    labels = {joint.name: joint.label for joint in profile.layout.joints}
+    names = profile.layout.joints_within
     priors: dict[str, LinearMap] = {joint.name: joint.prior for joint in profile.joints if joint.prior is not None}
     for ring, arrangement in today.items():
         if ring not in profile.layout.rings:  # it was calibrated before the layout named this ring
@@ -81,11 +81,9 @@ def _refuse_turned_rings(profile: CalibrationProfile, today: dict[str, Arrangeme
         prior = priors[joint]
         then = {**prior.arrangement, **prior.as_worn}.get(ring, Arrangement())
         if arrangement.mirrored != then.mirrored:
-            raise DonningError(Text("calibration-fit-mirrored", joint=labels[joint].lower()))
+            raise DonningError(Text("calibration-fit-mirrored", joint=names[joint]))
         if arrangement.shift != then.shift:
             count = len(sensors)
             turned = (arrangement.shift - then.shift) % count
             places = min(turned, count - turned)
-            raise DonningError(
-                Text("calibration-fit-turned", joint=labels[joint].lower(), places=places, sensors=count)
-            )
+            raise DonningError(Text("calibration-fit-turned", joint=names[joint], places=places, sensors=count))

@@ -30,6 +30,7 @@ from app.calibration.adaptation.proposal_document import JointChange, Proposal, 
 from app.calibration.adaptation.thresholds import Thresholds, full_for, step_thresholds
 from app.calibration.profile import CalibrationProfile, JointMap
 from app.calibration.vocabulary import DriveParameters, Gesture
+from app.layout import ShirtLayout
 from app.texts import Figure, Text, in_sequence
 
 AT_ITS_END = Text("calibration-change-at-end")
@@ -131,7 +132,7 @@ def propose(
             "felt_change": felt,
             "joints": {change.name: change.model_dump(mode="json", exclude={"name"}) for change in applied},
         },
-        reason=_summary(changes, count),
+        reason=_summary(changes, count, profile.layout),
     )
 
 
@@ -169,10 +170,11 @@ def _with_thresholds(parameters: DriveParameters, gesture: Gesture, new: _JointA
     return gesture.model_copy(update={"dead_zone": new.thresholds.dead_zone, "full": new.thresholds.full})
 
 
-def _summary(changes: Sequence[JointChange], trials: int) -> Text:
+def _summary(changes: Sequence[JointChange], trials: int, layout: ShirtLayout) -> Text:
     """Return one sentence on which joints would change."""
-    applied = [change.name.replace("_", " ") for change in changes if change.status == "applied"]
-    refused = [change.name.replace("_", " ") for change in changes if change.status == "refused"]
+    called = layout.joints_within
+    applied = [called[change.name] for change in changes if change.status == "applied"]
+    refused = [called[change.name] for change in changes if change.status == "refused"]
     if applied and refused:
         return Text("calibration-proposal-some", trials=trials, applied=applied, refused=refused)
     if applied:

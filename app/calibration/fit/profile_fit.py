@@ -53,6 +53,7 @@ def fit_profile(recording: CleanRecording) -> CalibrationProfile:
             matrix,
             movement_covariance(channels[name], pieces),
             len(layout.channels_of_joint[name]),
+            layout.joint_titles,
             had_rest=resting is not None,
         )
         for name in fitted
@@ -105,6 +106,7 @@ def _joint_map(
     matrix: NDArray[np.float64] | None,
     covariance: tuple[tuple[float, ...], ...],
     channels: int,
+    titles: Mapping[str, Text | str],
     *,
     had_rest: bool,
 ) -> JointMap:
@@ -113,7 +115,7 @@ def _joint_map(
     if matrix is not None and len(fitted) > 1 and joint.agreement is not None:
         row = matrix[list(fitted).index(name)].copy()
         row[list(fitted).index(name)] = -1.0
-        strongest = (list(fitted)[int(row.argmax())], float(row.max()))
+        strongest = (titles[list(fitted)[int(row.argmax())]], float(row.max()))
     used = len(joint.direction.channels)
     ratio = signal_to_noise(joint.full if joint.reaches_full else 0.0, joint.rest_rate)
     letter, reason = grade(

@@ -8,6 +8,7 @@ from app.calibration.gestures.numbers import WORST_RATIO, FoundGesture, ratios
 from app.calibration.grades import CROSS_TALK_LIMIT, signal_strength
 from app.calibration.profile import CalibrationProfile
 from app.calibration.vocabulary import Binding, Control, Gesture
+from app.layout import ShirtLayout
 from app.messages import MAX_GESTURES
 from app.quantities import Document
 from app.texts import Figure, Text, in_sequence
@@ -104,9 +105,9 @@ def suggest_vocabulary(
         bindings=tuple(bindings),
         reason=in_sequence(
             [
-                *_reasons_of(chosen, costs.cross_talk(chosen)),
+                *_reasons_of(chosen, costs.cross_talk(chosen), profile.layout),
                 *_forecast(chosen),
-                *_left_out(candidates, chosen, costs),
+                *_left_out(candidates, chosen, costs, profile.layout),
             ]
         ),
     )
@@ -185,11 +186,8 @@ def _gestures(gestures: Sequence[FoundGesture], chosen: Sequence[FoundGesture]) 
     )
 
 
-def _reasons_of(chosen: Sequence[FoundGesture], cross_talk: float | None) -> list[Text]:
-    names = [
-        gesture.joint if gesture.direction == 1 else Text("calibration-gesture-back", joint=gesture.joint)
-        for gesture in chosen
-    ]
+def _reasons_of(chosen: Sequence[FoundGesture], cross_talk: float | None, layout: ShirtLayout) -> list[Text]:
+    names = [_called(gesture, layout) for gesture in chosen]
     signal = signal_strength(min(gesture.signal_to_noise for gesture in chosen))
     suggested = Text("calibration-suggested", gestures=names)
     if len(chosen) == 1:
@@ -199,7 +197,14 @@ def _reasons_of(chosen: Sequence[FoundGesture], cross_talk: float | None) -> lis
     return [suggested, Text("calibration-suggested-several", signal=signal, percent=Figure(100 * cross_talk))]
 
 
-def _left_out(candidates: Sequence[FoundGesture], chosen: Sequence[FoundGesture], costs: _Costs) -> list[Text]:
+def _called(gesture: FoundGesture, layout: ShirtLayout) -> Text | str:
+    joint = layout.joints_within[gesture.joint]
+    return joint if gesture.direction == 1 else Text("calibration-gesture-back", joint=joint)
+
+
+def _left_out(
+    candidates: Sequence[FoundGesture], chosen: Sequence[FoundGesture], costs: _Costs, layout: ShirtLayout
+) -> list[Text]:
     """Return sentences on the joints that come with a chosen gesture, when fewer than four could be chosen."""
     if len(chosen) >= 4:
         return []
@@ -210,8 +215,9 @@ def _left_out(candidates: Sequence[FoundGesture], chosen: Sequence[FoundGesture]
             share, partner = min(
                 max((costs.together(gesture, other), other.joint) for other in chosen) for gesture in gestures
             )
-            together = Figure(100 * min(share, 9.99))
-            sentences.append(Text("calibration-suggested-without", joint=joint, partner=partner, percent=together))
+            names = {"joint": layout.joint_titles[joint], "partner": layout.joints_within[partner]}
+            percent = Figure(100 * min(share, 9.99))
+            sentences.append(Text("calibration-suggested-without", percent=percent, **names))
     return sentences
 
 

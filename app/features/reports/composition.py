@@ -20,6 +20,7 @@ from app.features.reports.material import (
 )
 from app.features.reports.measure_reports import interface_test_report, task_report
 from app.features.reports.rendering import render_html, render_pdf
+from app.layout import Joint, joint_title
 from app.source import source_description
 from app.store.origins import Origin
 from app.texts import ENGLISH, Figure, Text, Value, reader_language, value_text
@@ -338,28 +339,29 @@ def _condition_facts(parameters: ParameterMaterial) -> tuple[Fact, ...]:
 def _controls_table(parameters: ParameterMaterial) -> ReportTable:
     """Return what each movement does, from where it counts, where it is full, and its gain."""
     gestures = {gesture["name"]: gesture for gesture in parameters.settings.get("gestures", ())}
-    labels = _joint_labels(parameters.profile)
+    titles = _joint_titles(parameters.profile)
     rows = []
     for binding in parameters.settings.get("bindings", ()):
         control, named = binding["control"], [gestures[name] for name in binding["gestures"] if name in gestures]
         control_name = str(CONTROLS.get(control, control))
         if control == "stop":
-            rows.append((control_name, " + ".join(_gesture_text(one, labels) for one in named), "", "", ""))
+            rows.append((control_name, " + ".join(_gesture_text(one, titles) for one in named), "", "", ""))
         else:
             gain = _number(binding.get("gain", 1.0))
             rows += [
-                (control_name, _gesture_text(one, labels), _share(one, "dead_zone"), _share(one, "full"), gain)
+                (control_name, _gesture_text(one, titles), _share(one, "dead_zone"), _share(one, "full"), gain)
                 for one in named
             ]
     return ReportTable(tuple(map(str, CONTROLS_HEAD)), tuple(rows)) if rows else NO_TABLE
 
 
-def _joint_labels(profile: Mapping[str, Any]) -> dict[str, str]:
-    return {joint["name"]: joint["label"] for joint in profile.get("layout", {}).get("joints", ())}
+def _joint_titles(profile: Mapping[str, Any]) -> dict[str, str]:
+    joints = [Joint.model_construct(**joint) for joint in profile.get("layout", {}).get("joints", ())]
+    return {joint.name: str(joint_title(joint)) for joint in joints}
 
 
-def _gesture_text(gesture: Mapping[str, Any], labels: Mapping[str, str]) -> str:
-    joint = labels.get(gesture["joint"], gesture["joint"])
+def _gesture_text(gesture: Mapping[str, Any], titles: Mapping[str, str]) -> str:
+    joint = titles.get(gesture["joint"], gesture["joint"])
     direction = "back" if gesture.get("direction", 1) < 0 else "forth"
     return str(Text("report-movement", joint=joint, direction=direction, feature=gesture.get("feature", "rate")))
 

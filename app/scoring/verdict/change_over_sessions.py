@@ -67,6 +67,7 @@ class CourseChange(NamedTuple):
     falls: bool  # in the difference that is clearest; without a meaning where the word is neither better nor worse
     p_value: float | None  # of that difference, doubled for two tests (Bonferroni)
     level: float = 0.0  # a change has a smaller p-value
+    sessions: int = 0  # of the trials that were compared
 
 
 def course_change(name: str, rows: Rows, leading: Sequence[str], clinic: ClinicSpreads) -> CourseChange:
@@ -76,7 +77,8 @@ def course_change(name: str, rows: Rows, leading: Sequence[str], clinic: ClinicS
     """
     if name not in leading:
         return CourseChange("number", False, None)
-    differences = course_differences(name, series_of(rows, name)[0], clinic.get(name))
+    series = series_of(rows, name)[0]
+    differences = course_differences(name, series, clinic.get(name))
     p_values = [
         (difference.p_value, difference.later < difference.earlier)
         for difference in differences
@@ -89,4 +91,4 @@ def course_change(name: str, rows: Rows, leading: Sequence[str], clinic: ClinicS
     word: Word = "within"
     if p_value <= level:
         word = "better" if falls == (TRIAL_MEASURES[name].better == "low") else "worse"
-    return CourseChange(word, falls, p_value, level)
+    return CourseChange(word, falls, p_value, level, len(np.unique(series.session)))

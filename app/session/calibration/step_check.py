@@ -52,9 +52,8 @@ def advice_of(profile: CalibrationProfile, step: Step) -> Text | None:
     if step.kind == "rest" or not weak or unclear < len(profile.joints):
         return None
     first = weak[0]
-    label = next(joint.label for joint in profile.layout.joints if joint.name == first.name)
     findings = in_sequence(sentence for sentence in first.reason if sentence != UNPROMPTED)
-    return Text("visit-no-joint-moves", joint=label, reason=findings)
+    return Text("visit-no-joint-moves", joint=profile.layout.joint_titles[first.name], reason=findings)
 
 
 def _is_weak(joint: JointMap) -> bool:

@@ -46,7 +46,7 @@ def test_own_repetitions_that_agree_are_enough() -> None:
 def test_without_them_the_joint_is_named(check: MapCheck | None) -> None:
     given = parameters() if check is None else parameters(check=check, pca_check=GOOD)
     words = str(own_movement_refusal(given))
-    assert words.startswith("Other people taught the movement of Right shoulder")
+    assert words.startswith("Other people taught the movement of right shoulder")
     assert "Calibrate page" in words
 
 

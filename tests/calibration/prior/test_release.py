@@ -49,7 +49,7 @@ def test_one_person_more_is_no_second_release(many):
 
 def test_a_release_that_is_added_hides_nobody(many):
     everywhere = release([part(many, range(1, 11))]).document
-    with pytest.raises(PriorError, match="together they hold 1 person"):
+    with pytest.raises(PriorError, match="there is 1 person in all, and only sums"):
         release([part(many, [11]), everywhere])
     assert release([part(many, range(11, 19)), everywhere]).document.people == 18
 
@@ -57,7 +57,7 @@ def test_a_release_that_is_added_hides_nobody(many):
 def test_a_person_who_is_recorded_again_is_not_released_again(many):
     _, prior = released(part(many, range(1, 17)))
     again = prior.with_person("w1", person_entry([Wearer(77).recording()]))
-    with pytest.raises(PriorError, match="16 people, of whom fewer than 8"):
+    with pytest.raises(PriorError, match="16 people in all, of whom fewer than 8"):
         release([again])
 
 

@@ -120,7 +120,7 @@ def test_seven_who_consent_to_sharing_are_refused(clinic: Folder, bodydrive: Any
     assert_refused(
         export(bodydrive, "release.json", "--release"),
         "Sharing outside",
-        "together they hold 7 people, and only sums over at least 8 may leave a clinic",
+        "there are 7 people in all, and only sums over at least 8 people may leave a clinic",
     )
     assert not (tmp_path / "release.json").exists()
 

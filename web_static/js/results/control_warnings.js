@@ -4,7 +4,6 @@
  */
 import { t } from "../texts.js";
 import { h, put } from "../widgets/dom.js";
-import { labelWords } from "../widgets/joint_words.js";
 
 const WHERE = { sensor: "#/shirt", map: "#/calibrate", noise: "#/controls", span: "#/calibrate" };
 
@@ -38,7 +37,7 @@ export function controlWarnings(warnings, mayChange, isOpen = true) {
 /** The kinds and joints of the warnings in one line. @param {ControlWarning[]} warnings */
 function summaryOf(warnings) {
   const parts = together(warnings).map((same) => {
-    const joints = [...new Set(same.map(({ joint }) => labelWords(joint)))].join(", ");
+    const joints = [...new Set(same.map(({ joint }) => joint))].join(", ");
     return t(`quality-kind-${same[0].kind}`, { joints });
   });
   return h("span", { class: "quiet small" }, parts.join(" · "));

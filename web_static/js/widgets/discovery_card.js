@@ -7,7 +7,7 @@
 import { t } from "../texts.js";
 import { h, put } from "./dom.js";
 import { number, percent } from "./format.js";
-import { gestureWords, withLabels } from "./gestures.js";
+import { gestureWords } from "./gestures.js";
 import { repeatsWord, signalWord } from "./grade_words.js";
 import { scrollTable } from "./scroll_table.js";
 
@@ -57,7 +57,7 @@ function content(found, labels, onTake) {
     h(
       "div",
       { class: "suggested-block" },
-      h("p", {}, withLabels(found.suggestion.reason, labels)),
+      h("p", {}, found.suggestion.reason),
       onTake
         ? h("button", { type: "button", class: "btn", onclick: onTake }, t("found-take"))
         : h("p", { class: "quiet small" }, t("found-take-later")),

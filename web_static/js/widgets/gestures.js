@@ -46,11 +46,3 @@ export function gestureFor(gestures, joint, direction) {
 export function newGestureName(joint, direction) {
   return direction > 0 ? joint : `${joint}_back`;
 }
-
-/** A sentence of the server with the joints called by their labels. @param {string} sentence @param {Record<string, string>} labels */
-export function withLabels(sentence, labels) {
-  return Object.entries(labels).reduce(
-    (words, [name, label]) => words.replaceAll(`'${name}'`, name).replaceAll(name, jointWithin({ name, label })),
-    sentence,
-  );
-}

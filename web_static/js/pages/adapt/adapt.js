@@ -11,7 +11,6 @@ import { jointCards } from "./adapt_joints.js";
 import { h, put, write } from "../../widgets/dom.js";
 import { choices } from "../../widgets/fields.js";
 import { percent } from "../../widgets/format.js";
-import { withLabels } from "../../widgets/gestures.js";
 import { labelsOf } from "../../widgets/joint_words.js";
 import { mapVersions } from "./map_versions.js";
 import { emptyPage, patientHere } from "../../shell/nobody.js";
@@ -41,7 +40,7 @@ export async function show(app, root, { signal, rest }) {
     put(
       place,
       view.looking && h("p", { class: "card quiet", role: "status" }, t("adapt-looking")),
-      proposalCards(view, labels),
+      proposalCards(view),
     );
     put(versions, mapVersions(maps, labels));
     put(foot, mayChange && buttons(view));
@@ -146,19 +145,19 @@ function button(words, run, kind = "btn", disabled = false) {
   return h("button", { type: "button", class: kind, onclick: run, disabled }, words);
 }
 
-/** @param {AdaptationView} view @param {Record<string, string>} labels @returns {Child[]} */
-function proposalCards(view, labels) {
+/** @param {AdaptationView} view @returns {Child[]} */
+function proposalCards(view) {
   const { proposal } = view;
   if (!proposal)
     return [h("p", { class: "card adapt-why" }, view.why), view.refusal && h("p", { class: "problem" }, view.refusal)];
-  return [headline(view, proposal, labels), proposal.effect && effectCard(proposal.effect), jointCards(proposal)];
+  return [headline(view, proposal), proposal.effect && effectCard(proposal.effect), jointCards(proposal)];
 }
 
 /**
  * The summary: how much is felt, what changes, and what it means for a real chair.
- * @param {AdaptationView} view @param {ProposalView} proposal @param {Record<string, string>} labels
+ * @param {AdaptationView} view @param {ProposalView} proposal
  */
-function headline({ refusal, practised }, proposal, labels) {
+function headline({ refusal, practised }, proposal) {
   const { felt_change: felt, warns, applied, changes } = proposal;
   const figure = changes
     ? h(
@@ -176,11 +175,7 @@ function headline({ refusal, practised }, proposal, labels) {
     h(
       "div",
       { class: "grow" },
-      h(
-        "p",
-        { class: "adapt-reason" },
-        applied === null ? withLabels(proposal.reason, labels) : t("adapt-in-use", { version: applied }),
-      ),
+      h("p", { class: "adapt-reason" }, applied === null ? proposal.reason : t("adapt-in-use", { version: applied })),
       changes && h("p", { class: warns ? "attention" : "quiet" }, t(warns ? "adapt-felt-warns" : "adapt-felt-little")),
       practice && h("p", { class: "small" }, practice),
       proposal.message && h("p", { class: "small" }, proposal.message),

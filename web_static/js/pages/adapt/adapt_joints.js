@@ -5,14 +5,12 @@
 import { t } from "../../texts.js";
 import { h } from "../../widgets/dom.js";
 import { number, ofFull, percent } from "../../widgets/format.js";
-import { withLabels } from "../../widgets/gestures.js";
-import { jointLabel, jointWithin, labelsOf } from "../../widgets/joint_words.js";
+import { jointLabel, jointWithin } from "../../widgets/joint_words.js";
 
 const TONES = { applied: "", refused: "bad", unchanged: "plain" };
 
 /** @param {ProposalView} proposal of GET /adaptation */
 export function jointCards({ joints, applied }) {
-  const labels = labelsOf(joints);
   const still = joints.filter(({ status }) => status === "unchanged");
   const others = joints.filter((joint) => !still.includes(joint));
   return h(
@@ -21,14 +19,14 @@ export function jointCards({ joints, applied }) {
     h(
       "div",
       { class: "joint-cards" },
-      others.map((joint) => jointCard(joint, withLabels(joint.reason, labels), applied !== null)),
+      others.map((joint) => jointCard(joint, applied !== null)),
     ),
     still.length > 0 && h("p", { class: "quiet" }, t("adapt-others", { joints: still.map(jointWithin).join(", ") })),
   );
 }
 
-/** @param {JointView} joint @param {string} reason @param {boolean} isApplied */
-function jointCard(joint, reason, isApplied) {
+/** @param {JointView} joint @param {boolean} isApplied */
+function jointCard(joint, isApplied) {
   const status = isApplied && joint.status === "applied" ? "changed" : joint.status;
   const { evr_before: fit, evr_after: fitThen, cross_talk_before: talk, cross_talk_after: talkThen } = joint;
   return h(
@@ -45,7 +43,7 @@ function jointCard(joint, reason, isApplied) {
       figure("dead_zone", [rate(joint.dead_zone_before), rate(joint.dead_zone_after)], false),
       figure("full", [rate(joint.full_before), rate(joint.full_after)], false),
     ),
-    h("p", { class: "small reason" }, reason),
+    h("p", { class: "small reason" }, joint.reason),
   );
 }
 

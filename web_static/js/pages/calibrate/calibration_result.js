@@ -8,8 +8,7 @@
 import { t } from "../../texts.js";
 import { h } from "../../widgets/dom.js";
 import { number, percent } from "../../widgets/format.js";
-import { withLabels } from "../../widgets/gestures.js";
-import { jointLabel, jointWithin, labelsOf, sensorWithin } from "../../widgets/joint_words.js";
+import { jointLabel, jointWithin, sensorWithin } from "../../widgets/joint_words.js";
 import { repeatsWord, signalWord } from "../../widgets/grade_words.js";
 import { scrollTable } from "../../widgets/scroll_table.js";
 import { checkTables, mapChoice } from "./map_choice.js";
@@ -22,24 +21,21 @@ const WASH = 0.5; // strongest paint below that: dark text stays readable on it
 
 /** @param {CalibrationResult} result @param {OnRepeat} onRepeat @param {OnMap} onMap @param {OnSitting} onSitting */
 export function resultView(result, onRepeat, onMap, onSitting) {
-  const labels = labelsOf(result.joints);
   return h(
     "div",
     { class: "stack" },
     h(
       "div",
       { class: "joint-cards" },
-      result.joints.map((joint) =>
-        jointCard(joint, joint.advice && withLabels(joint.advice, labels), onRepeat, onMap, onSitting),
-      ),
+      result.joints.map((joint) => jointCard(joint, onRepeat, onMap, onSitting)),
     ),
     result.cross_talk && crossTalk(result.joints, result.cross_talk),
   );
 }
 
-/** @param {JointResult} joint @param {string | null} advice with the joints' own names @param {OnRepeat} onRepeat @param {OnMap} onMap @param {OnSitting} onSitting */
-function jointCard(joint, advice, onRepeat, onMap, onSitting) {
-  const { step } = joint;
+/** @param {JointResult} joint @param {OnRepeat} onRepeat @param {OnMap} onMap @param {OnSitting} onSitting */
+function jointCard(joint, onRepeat, onMap, onSitting) {
+  const { advice, step } = joint;
   const evr = percent(joint.evr);
   const label = jointLabel(joint);
   return h(

@@ -13,7 +13,7 @@ import { cross } from "../../widgets/control_cross.js";
 import { discoveryCard } from "../../widgets/discovery_card.js";
 import { h, put, write } from "../../widgets/dom.js";
 import { signedPercent } from "../../widgets/format.js";
-import { jointLabels, withLabels } from "../../widgets/gestures.js";
+import { jointLabels } from "../../widgets/gestures.js";
 import { icon } from "../../widgets/icons.js";
 import { emptyPage, patientHere } from "../../shell/nobody.js";
 import { OTHER_SESSION } from "../../shell/other_session.js";
@@ -67,7 +67,7 @@ export async function show(app, root, { signal }) {
     write(problem, "");
     try {
       await draft.ask(change);
-      write(suggestion, saysWhy ? withLabels(draft.view.suggested.reason, jointLabels(draft.profile)) : "");
+      write(suggestion, saysWhy ? draft.view.suggested.reason : "");
       suggestion.hidden = !suggestion.textContent;
     } catch (error) {
       write(problem, failureWords(error));

@@ -68,7 +68,7 @@ calibration-unknown-name =
        *[channel] in „{ $layout }“ gibt es keinen Kanal „{ $name }“; verwenden Sie einen von diesen: { $names }
     }
 calibration-no-joint = kein Gelenk von „{ $layout }“ hat einen brauchbaren Sensor; prüfen Sie, ob das Shirt verbunden ist und sich jemand darin bewegt hat
-calibration-no-sensor = Keiner der Sensoren dieses Gelenks ist brauchbar. Prüfen Sie die Sensoren auf der Seite „Shirt“, und wiederholen Sie dann die Kalibrierung.
+calibration-no-sensor = Keiner der Sensoren dieses Gelenks ist brauchbar. Prüfen Sie die Sensoren auf der Seite „{ rail-shirt }“, und wiederholen Sie dann die Kalibrierung.
 
 ## Where a map comes from.
 
@@ -79,13 +79,13 @@ calibration-source-standard = Standard
 
 ## Why there is no map learnt from the cues.
 
-calibration-guided-unprompted = Aus Vorgaben wird nichts gelernt, weil die Bewegung nie vorgegeben wurde. Geben Sie sie dreimal vor.
+calibration-guided-unprompted = Aus Vorgaben wird nichts gelernt, weil die Bewegung dieses Gelenks nie vorgegeben wurde. Geben Sie sie dreimal vor.
 calibration-guided-few =
     { $count ->
         [one] Aus { $count } vorgegebenen Wiederholung wird nichts gelernt. Geben Sie mindestens { $least } vor: Eine davon wird zum Prüfen zurückgehalten.
        *[other] Aus { $count } vorgegebenen Wiederholungen wird nichts gelernt. Geben Sie mindestens { $least } vor: Eine davon wird zum Prüfen zurückgehalten.
     }
-calibration-guided-no-rest = Aus Vorgaben wird nichts gelernt, weil das Gelenk zusammen keine { $seconds } s lang in Ruhe ist. Zeichnen Sie eine Ruhe auf, oder lassen Sie Pausen zwischen den vorgegebenen Bewegungen.
+calibration-guided-no-rest = Aus Vorgaben wird nichts gelernt, weil dieses Gelenk zusammen keine { $seconds } s lang in Ruhe ist. Zeichnen Sie eine Ruhe auf, oder lassen Sie Pausen zwischen den vorgegebenen Bewegungen.
 calibration-guided-small = Aus Vorgaben wird nichts gelernt, weil die Signale zu klein sind. Geben Sie sie in einer kleineren Einheit an.
 calibration-guided-unlike = Aus Vorgaben wird nichts gelernt, weil die Wiederholungen nichts gemeinsam haben. Wiederholen Sie die Vorgaben.
 
@@ -99,17 +99,17 @@ calibration-prior-few =
 calibration-prior-unlike = Die Bewegungen anderer Personen haben nichts miteinander gemeinsam. Fügen Sie weitere Personen hinzu.
 calibration-prior-small = Die Signale sind zu klein. Geben Sie sie in einer kleineren Einheit an.
 calibration-prior-still = Von den Sensoren, die von anderen Personen bekannt sind, bewegt sich bei dieser Person keiner. Bewegen Sie sich zehn Sekunden lang frei.
-calibration-not-confirmed = Von anderen Personen gelernt und von der eigenen Bewegung noch nicht bestätigt: { $joints }. Wiederholen Sie das Genannte einmal auf der Seite „Kalibrieren“, und üben Sie dann noch einmal.
+calibration-not-confirmed = Von anderen Personen gelernt und von der eigenen Bewegung noch nicht bestätigt: { $joints }. Wiederholen Sie jede dieser Bewegungen einmal auf der Seite „{ rail-calibrate }“, und üben Sie dann noch einmal.
 # Why a prior may not leave the clinic: this one and the next.
 calibration-prior-few-new =
     { $count ->
-        [one] zusammen enthalten sie { $count } Person, und weniger als { $least } sind noch in keiner Fassung zur Weitergabe; verwenden Sie die frühere Fassung, und erstellen Sie eine neue, wenn mindestens { $least } Personen hinzugekommen sind, damit sich niemand durch Abziehen der einen von der anderen finden lässt
-       *[other] zusammen enthalten sie { $count } Personen, und weniger als { $least } davon sind noch in keiner Fassung zur Weitergabe; verwenden Sie die frühere Fassung, und erstellen Sie eine neue, wenn mindestens { $least } Personen hinzugekommen sind, damit sich niemand durch Abziehen der einen von der anderen finden lässt
+        [one] insgesamt ist es { $count } Person, und weniger als { $least } sind noch in keiner Fassung zur Weitergabe; verwenden Sie die frühere Fassung, und erstellen Sie eine neue, wenn mindestens { $least } Personen hinzugekommen sind, damit sich niemand durch Abziehen der einen von der anderen finden lässt
+       *[other] insgesamt sind es { $count } Personen, und weniger als { $least } davon sind noch in keiner Fassung zur Weitergabe; verwenden Sie die frühere Fassung, und erstellen Sie eine neue, wenn mindestens { $least } Personen hinzugekommen sind, damit sich niemand durch Abziehen der einen von der anderen finden lässt
     }
 calibration-prior-few-released =
     { $count ->
-        [one] zusammen enthalten sie { $count } Person, und nur Summen über mindestens { $least } Personen dürfen eine Klinik verlassen; fügen Sie weitere Personen hinzu
-       *[other] zusammen enthalten sie { $count } Personen, und nur Summen über mindestens { $least } Personen dürfen eine Klinik verlassen; fügen Sie weitere Personen hinzu
+        [one] insgesamt ist es { $count } Person, und nur Summen über mindestens { $least } Personen dürfen eine Klinik verlassen; fügen Sie weitere Personen hinzu
+       *[other] insgesamt sind es { $count } Personen, und nur Summen über mindestens { $least } Personen dürfen eine Klinik verlassen; fügen Sie weitere Personen hinzu
     }
 
 ## The earlier calibration, fitted to how the shirt sits today. $joint is as in "left elbow".
@@ -189,7 +189,7 @@ calibration-suggested-several =
         [fair] ein mittleres Signal
        *[weak] ein schwaches Signal
     }; bei einer Bewegung zählt eine andere im Mittel mit { $percent } % ihrer Stärke mit.
-calibration-suggested-without = Ausgelassen: { $joint }. Diese Bewegung tritt zusammen mit einer anderen auf: { $partner } ({ $percent } % ihrer Stärke).
+calibration-suggested-without = Ausgelassen: { $joint }, wegen der Mitbewegung ({ $partner }). Bewegt sich eines der beiden Gelenke, zählt das andere mit bis zu { $percent } % seiner Stärke mit.
 calibration-suggested-hits = Von 100 Bewegungen werden voraussichtlich mindestens { $hits } erkannt.
 calibration-suggested-false = In Ruhe lösen alle zusammen voraussichtlich { $rate }-mal pro Minute aus. { $seconds } s Ruhe belegen nur, dass jede weniger als { $bound }-mal auslöst (95 %).
 calibration-suggested-hardly-false = In Ruhe lösen alle zusammen voraussichtlich weniger als { $rate }-mal pro Minute aus. { $seconds } s Ruhe belegen nur, dass jede weniger als { $bound }-mal auslöst (95 %).

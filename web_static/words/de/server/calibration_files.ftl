@@ -3,18 +3,18 @@
 
 ## Profile and controls.
 
-calibration-full-too-low = Geste „{ $gesture }“: „{ tune-full }“ ({ $full } %) muss mindestens 1 % über „{ tune-from }“ ({ $least } %) liegen; erhöhen Sie den Wert
+calibration-full-too-low = Geste „{ $gesture }“: „{ tune-full }“ ({ $full } %) muss mindestens { $least } % sein, 1 % mehr als „{ tune-from }“; erhöhen Sie den Wert
 calibration-gesture-twice = die Geste „{ $gesture }“ kommt zweimal vor
 calibration-gesture-joint = die Geste „{ $gesture }“ liest das Gelenk „{ $joint }“, das es in der Kalibrierung nicht gibt; verwenden Sie eines von diesen: { $joints }
 # $control is u1+, u1-, u2+, u2- or stop.
 calibration-binding = { $control } ist der Geste „{ $gesture }“ zugeordnet, die es nicht gibt; verwenden Sie eine von diesen: { $gestures }
 calibration-profile-means = Gelenk „{ $joint }“: channels und mean müssen gleich lang sein
-calibration-profile-map = Gelenk „{ $joint }“: map ist „{ $map }“, aber diese Abbildung fehlt
+calibration-profile-map = Gelenk „{ $joint }“: map ist „{ $map }“, aber „{ $map }“ fehlt; ergänzen Sie es
 calibration-profile-parts = Gelenk „{ $joint }“: die Abbildung „{ $map }“ muss in jedem Teil eine Zahl pro Kanal haben
 calibration-profile-pca = Gelenk „{ $joint }“: die Abbildung „pca“ liest keinen Kanal
-calibration-profile-covariance = Gelenk „{ $joint }“: die Kovarianz muss { $count } Zeilen mit je { $count } Zahlen haben
-calibration-profile-symmetric = Gelenk „{ $joint }“: die Kovarianz muss symmetrisch sein
-calibration-profile-variance = Gelenk „{ $joint }“: die Kovarianz enthält eine Varianz unter 0
+calibration-profile-covariance = Gelenk „{ $joint }“: covariance muss { $count } Zeilen mit je { $count } Zahlen haben
+calibration-profile-symmetric = Gelenk „{ $joint }“: covariance muss symmetrisch sein
+calibration-profile-variance = Gelenk „{ $joint }“: covariance enthält eine Varianz unter 0
 calibration-profile-range = low und high müssen { $count } Zahlen haben, eine pro Kanal des Layouts
 calibration-profile-noise = noise muss { $count } Zahlen haben, eine pro Kanal des Layouts
 calibration-profile-channel = das Gelenk „{ $joint }“ liest einen Kanal, den es im Layout nicht gibt
@@ -37,7 +37,7 @@ calibration-prior-ring = die Zahlen des Rings passen nicht zusammen; erstellen S
 calibration-prior-entry = der Eintrag von „{ $code }“
 calibration-prior-release = die Fassung zur Weitergabe
 calibration-prior-unknown-joint = { $where } nennt das Gelenk „{ $joint }“, das es in „{ $layout }“ nicht gibt
-calibration-prior-size = { $where } hat nicht für jeden Kanal des Gelenks „{ $joint }“ eine Zahl; fügen Sie das noch einmal hinzu
+calibration-prior-size = { $where } hat nicht für jeden Kanal des Gelenks „{ $joint }“ eine Zahl; erstellen Sie das noch einmal
 calibration-prior-ring-size = { $where } hat im Ring „{ $ring }“ eine andere Zahl von Sensoren ({ $count }) als „{ $layout }“
 calibration-prior-release-own = eine Fassung zur Weitergabe enthält Summen und keine Einträge von Personen; führen Sie sie ohne --own zusammen
 calibration-prior-two-entries = zwei davon haben verschiedene Einträge für die Person „{ $code }“; geben Sie einer davon einen anderen Code

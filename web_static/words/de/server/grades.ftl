@@ -33,8 +33,8 @@ grade-uneven =
         [repeat] Die Wiederholungen unterscheiden sich um { $percent } %. Wiederholen Sie sie gleichmäßig.
        *[usable] Die Wiederholungen unterscheiden sich um { $percent } %. Mit gleichmäßigeren fährt der Rollstuhl gleichmäßiger.
     }
-grade-angle = Die vorgegebene Bewegung weicht um { $degrees } Grad von der freien ab. Verwendet wird die vorgegebene Richtung. Prüfen Sie sie unter „Ausprobieren“.
+grade-angle = Die vorgegebene Bewegung weicht um { $degrees } Grad von der freien ab. Verwendet wird die vorgegebene Richtung. Prüfen Sie sie unter „{ try-title }“.
 grade-cross-talk = Mitbewegung von „{ $joint }“: { $percent } % der eigenen Stärke. Bewegen Sie das verlangte Gelenk allein, oder ordnen Sie nicht beide zu.
 grade-span-of-prompts = In der freien Bewegung kam diese Richtung kaum vor. Als Bereich gilt der der Vorgaben.
-grade-one-sensor = Nur einer der Sensoren ist übrig. Prüfen Sie die anderen auf der Seite „Shirt“.
+grade-one-sensor = Nur einer der Sensoren ist übrig. Prüfen Sie die anderen auf der Seite „{ rail-shirt }“.
 grade-sensors-out = Ausgelassene Sensoren: { $count } von { $every }.

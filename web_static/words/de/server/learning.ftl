@@ -85,8 +85,16 @@ learning-medians =
         [rose] Im Median der ersten und der letzten { $edge } von { $trials } Durchgängen stieg { $subject } von { $first } auf { $last }.
        *[went] Im Median der ersten und der letzten { $edge } von { $trials } Durchgängen lag { $subject } zuerst bei { $first } und zuletzt bei { $last }.
     }
-learning-p-small = Das letzte Drittel der Sitzungen gegen das erste, oder die neueste gegen die davor, gemessen an der eigenen Schwankung dieser Person: p < 0,001; für eine Änderung gilt p < { $level }.
-learning-p = Das letzte Drittel der Sitzungen gegen das erste, oder die neueste gegen die davor, gemessen an der eigenen Schwankung dieser Person: p = { $p }; für eine Änderung gilt p < { $level }.
+learning-p-small =
+    { $sessions ->
+        [one] Das letzte Drittel der Durchgänge gegen das erste, gemessen an der eigenen Schwankung dieser Person: p < 0,001; für eine Änderung gilt p < { $level }.
+       *[other] Das letzte Drittel der Sitzungen gegen das erste, oder die neueste Sitzung gegen die davor, gemessen an der eigenen Schwankung dieser Person: p < 0,001; für eine Änderung gilt p < { $level }.
+    }
+learning-p =
+    { $sessions ->
+        [one] Das letzte Drittel der Durchgänge gegen das erste, gemessen an der eigenen Schwankung dieser Person: p = { $p }; für eine Änderung gilt p < { $level }.
+       *[other] Das letzte Drittel der Sitzungen gegen das erste, oder die neueste Sitzung gegen die davor, gemessen an der eigenen Schwankung dieser Person: p = { $p }; für eine Änderung gilt p < { $level }.
+    }
 learning-slope =
     { $how ->
         [falls] Von Durchgang zu Durchgang sinkt der Messwert im Median um { $step }.

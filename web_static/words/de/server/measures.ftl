@@ -3,6 +3,12 @@
 # A level, as in "1.23 m²": $unit stands in no catalogue, because units are written alike in every language.
 measure-with-unit = { $figure } { $unit }
 measure-degrees = { $figure }°
+# A difference of two shares, as in "fell by about 12 percentage points". $count is that number, $figure how it is written.
+measure-points =
+    { $count ->
+        [one] { $figure } Prozentpunkt
+       *[other] { $figure } Prozentpunkte
+    }
 measure-number = { $figure }
 
 ## Measures of a trial. The message that ends in "-subject" is the measure within a sentence, as in "Within noise over 12
@@ -18,8 +24,8 @@ measure-follow-error-max = Größter Fehler des Abstands beim Folgen
 measure-follow-error-max-subject = der größte Fehler des Abstands beim Folgen
 measure-follow-near = Zeitanteil nahe am verlangten Abstand
 measure-follow-near-subject = der Zeitanteil nahe am verlangten Abstand
-measure-heading-error-deg = Winkel neben dem Ziel
-measure-heading-error-deg-subject = der Winkel neben dem Ziel
+measure-heading-error-deg = Abweichung von der verlangten Ausrichtung
+measure-heading-error-deg-subject = die Abweichung von der verlangten Ausrichtung
 measure-heading-error-deg-definition = Fehler der Ausrichtung
 measure-turn-drift = Abweichung von der Stelle
 measure-turn-drift-subject = die Abweichung von der Stelle
@@ -107,7 +113,7 @@ measure-first-entry-definition = Zwei-Minuten-Test: Zeit bis zum ersten Eintritt
 measure-first-entry-meaning = Vom Erscheinen eines Ziels, bis der Punkt zum ersten Mal darin ist: das Mittel der erreichten Ziele.
 measure-dial-in = Zeit zum Einpendeln
 measure-dial-in-definition = Zwei-Minuten-Test: Zeit vom ersten bis zum letzten Eintritt
-measure-dial-in-meaning = Von da an, bis der Punkt im Ziel bleibt: 0, wenn der Punkt kein Ziel wieder verlässt.
+measure-dial-in-meaning = Vom ersten Eintritt in ein Ziel, bis der Punkt darin bleibt: 0, wenn der Punkt kein Ziel wieder verlässt.
 measure-path-efficiency = Geradheit des Wegs
 measure-path-efficiency-definition = Zwei-Minuten-Test: gerader Weg geteilt durch den Weg des Cursors
 measure-path-efficiency-meaning = Der gerade Weg geteilt durch den Weg, den der Punkt nahm: 100 % ist gerade.

@@ -17,6 +17,8 @@ verdict-goal-missed = Seit Sitzung { $session } wird das Ziel über die eigene S
 
 ## Warnings of control quality, each with advice. $joint is a name such as "Left elbow".
 
+# The joints of a warning, as in "Left elbow and Right elbow".
+warning-joints = { $joints }
 warning-few-trials =
     Wenige Durchgänge: Ob Bewegungen kleiner werden, lässt sich ab { $least_trials } Durchgängen einer Aufgabe in einer Sitzung oder ab { $least_sessions } Sitzungen sagen. Bisher: { $trials ->
         [one] { $trials } Durchgang in der letzten Sitzung
@@ -29,7 +31,7 @@ warning-shirt = Das Shirt sitzt nicht wie beim Kalibrieren: { $count } Sensoren 
 warning-shirt-advice = Richten Sie das Shirt. Wenn es neu angezogen wurde, passen Sie die Kalibrierung unter „{ rail-calibrate }“ an seinen Sitz an.
 warning-sensor-silent = { $joint }: Sensor { $sensor } lieferte während { $percent } % von Durchgang { $trial } kein Signal. In dieser Zeit hatte das Gelenk keine Wirkung.
 warning-sensor-range = { $joint }: Sensor { $sensor } lag während { $percent } % von Durchgang { $trial } außerhalb seines kalibrierten Bereichs. In dieser Zeit hatte das Gelenk keine Wirkung.
-warning-sensor-advice = Sehen Sie sich den Sensor auf der Seite „Shirt“ an, richten Sie das Shirt, und stecken Sie den Stecker ganz ein. Bleibt es so, lassen Sie den Sensor auf dieser Seite aus, und kalibrieren Sie neu: Dann wird er nicht mehr verwendet.
+warning-sensor-advice = Sehen Sie sich den Sensor auf der Seite „{ rail-shirt }“ an, richten Sie das Shirt, und stecken Sie den Stecker ganz ein. Bleibt es so, wählen Sie dort „{ sensor-unused }“, und kalibrieren Sie neu.
 warning-turned = { $joint }: Die Bewegung hat sich gegenüber den ersten Durchgängen mit dieser Kalibrierung um { $degrees }° gedreht.
 warning-turned-advice = Wurde das Shirt neu angezogen, oder ist es verrutscht? Richten Sie es, oder kalibrieren Sie neu.
 warning-off-map = { $joint }: Die Bewegung liegt { $degrees }° neben der Kalibrierung, und { $percent } % davon erreichen die Steuerung nie.
@@ -42,7 +44,7 @@ warning-trembles = { $joint }: In Ruhe zittert das Gelenk mit { $percent } % / s
 warning-trembles-advice = Achten Sie auf Tremor, Müdigkeit oder einen losen Stecker. Erhöhen Sie dann unter „{ rail-controls }“ den Wert „{ tune-from }“, oder verringern Sie „{ speed-cutoff }“: Ein kleinerer Wert dämpft stärker.
 warning-noise = { $joint }: Das Rauschen in Ruhe ist { $ratio }-mal so stark wie in den ersten Durchgängen.
 # Rest is a step of the calibration.
-warning-noise-advice = Achten Sie auf Tremor, Müdigkeit oder, auf der Seite „Shirt“, einen losen Stecker. Bleibt es so, wiederholen Sie den Schritt „{ calibration-rest }“ der Kalibrierung, damit die Bewegung erst über dem Rauschen zählt.
+warning-noise-advice = Achten Sie auf Tremor, Müdigkeit oder, auf der Seite „{ rail-shirt }“, einen losen Stecker. Bleibt es so, wiederholen Sie den Schritt „{ calibration-rest }“ der Kalibrierung, damit die Bewegung erst über dem Rauschen zählt.
 warning-smaller = { $joint }: Die Bewegung ist über { $sessions } Sitzungen um { $percent } % kleiner geworden.
 warning-smaller-advice = Fragen Sie nach Kraft und Schmerzen. Bleibt es so, kalibrieren Sie neu, damit „{ tune-full }“ dem entspricht, was die Person jetzt erreicht. Halten Sie den Bewegungsumfang in der Dokumentation fest.
 warning-tired = { $joint }: Die Bewegung ist innerhalb dieser Sitzung um { $percent } % kleiner geworden.
@@ -61,7 +63,6 @@ timeline-goal = Das Ziel wurde erreicht.
 trial-recording-no-place = In der Aufzeichnung dieses Durchgangs steht nicht, wo gefahren wurde. Wählen Sie einen anderen Durchgang.
 trial-recording-empty = Die Aufzeichnung dieses Durchgangs ist leer. Wählen Sie einen anderen Durchgang.
 trial-recording-damaged = Die Aufzeichnung dieses Durchgangs ist leer. { $damage }
-trial-recording-nothing = Die Aufzeichnung dieses Durchgangs ist leer.
 
 ## What interrupted a trial, how often, and for how long.
 

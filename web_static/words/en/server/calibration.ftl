@@ -29,7 +29,11 @@ calibration-move = Move: { $joint }
 ## What is wrong with a sensor. The name of the sensor stands before it, as in "Channel e3 is left out: gives no numbers."
 
 calibration-channel-no-numbers = gives no numbers
-calibration-channel-nan = { $count } of { $samples } samples are not numbers
+calibration-channel-nan =
+    { $count ->
+        [one] { $count } of { $samples } samples is not a number
+       *[other] { $count } of { $samples } samples are not numbers
+    }
 calibration-channel-railed = reaches { $percent } % of its range
 calibration-channel-near = comes near the end of its range ({ $percent } %)
 calibration-channel-clipped =
@@ -64,7 +68,7 @@ calibration-unknown-name =
        *[channel] there is no channel '{ $name }' in '{ $layout }': use one of { $names }
     }
 calibration-no-joint = no joint of '{ $layout }' has a sensor that can be used: check that the shirt is connected and that somebody moved in it
-calibration-no-sensor = None of its sensors can be used: check them on the Shirt page, then repeat the calibration.
+calibration-no-sensor = None of its sensors can be used: check them on the { rail-shirt } page, then repeat the calibration.
 
 ## Where a map comes from.
 
@@ -75,13 +79,13 @@ calibration-source-standard = standard
 
 ## Why there is no map learnt from the cues.
 
-calibration-guided-unprompted = Nothing is learnt from cues, because its movement was never prompted: prompt it three times.
+calibration-guided-unprompted = Nothing is learnt from cues, because the movement of this joint was never prompted: prompt it three times.
 calibration-guided-few =
     { $count ->
         [one] Nothing is learnt from { $count } prompted repetition: prompt at least { $least }, so that it can be judged on one that it has not seen.
        *[other] Nothing is learnt from { $count } prompted repetitions: prompt at least { $least }, so that it can be judged on one that it has not seen.
     }
-calibration-guided-no-rest = Nothing is learnt from cues, because it is nowhere at rest for { $seconds } s in all: record a rest, or leave pauses between the prompted movements.
+calibration-guided-no-rest = Nothing is learnt from cues, because this joint is nowhere at rest for { $seconds } s in all: record a rest, or leave pauses between the prompted movements.
 calibration-guided-small = Nothing is learnt from cues, because the signals are too small: give them in a smaller unit.
 calibration-guided-unlike = Nothing is learnt from cues: the repetitions have nothing in common, so repeat the prompts.
 
@@ -95,17 +99,17 @@ calibration-prior-few =
 calibration-prior-unlike = Other people's movements have nothing in common with each other: add more people.
 calibration-prior-small = The signals are too small: give them in a smaller unit.
 calibration-prior-still = None of the sensors that other people are known for moves on this person: move freely for ten seconds.
-calibration-not-confirmed = Other people taught the movement of { $joints }, and this person's own has not confirmed it: repeat it once on the Calibrate page, and practise again.
+calibration-not-confirmed = Other people taught the movement of { $joints }, and this person's own has not confirmed it: repeat each once on the { rail-calibrate } page, and practise again.
 # Why a prior may not leave the clinic: this one and the next.
 calibration-prior-few-new =
     { $count ->
-        [one] together they hold { $count } person, of whom fewer than { $least } are in no release yet: use the earlier release, and make another one when at least { $least } people have been added, so that nobody can be found by subtracting one from the other
-       *[other] together they hold { $count } people, of whom fewer than { $least } are in no release yet: use the earlier release, and make another one when at least { $least } people have been added, so that nobody can be found by subtracting one from the other
+        [one] there is { $count } person in all, and fewer than { $least } people are in no release yet: use the earlier release, and make another one when at least { $least } people have been added, so that nobody can be found by subtracting one from the other
+       *[other] there are { $count } people in all, of whom fewer than { $least } are in no release yet: use the earlier release, and make another one when at least { $least } people have been added, so that nobody can be found by subtracting one from the other
     }
 calibration-prior-few-released =
     { $count ->
-        [one] together they hold { $count } person, and only sums over at least { $least } may leave a clinic: add more people
-       *[other] together they hold { $count } people, and only sums over at least { $least } may leave a clinic: add more people
+        [one] there is { $count } person in all, and only sums over at least { $least } people may leave a clinic: add more people
+       *[other] there are { $count } people in all, and only sums over at least { $least } people may leave a clinic: add more people
     }
 
 ## The earlier calibration, fitted to how the shirt sits today. $joint is as in "left elbow".
@@ -141,7 +145,7 @@ calibration-proposal-no-trial = No trial was driven yet.
 ## Why the calibration of one joint changes, and how; or why it does not. "It" is the joint.
 
 calibration-loss-noise = Its noise at rest has come near to where it counts, so it may act by itself.
-calibration-loss-missed = { $percent } % of the time of its movements does not count, though it is calm at rest.
+calibration-loss-missed = { $percent } % of the time of its movements does not count, though its noise at rest is low.
 calibration-loss-weaker = Its movements have become weaker by { $percent } % since the first trials.
 calibration-loss-stronger = Its movements have become stronger by { $percent } % since the first trials.
 calibration-loss-direction = { $percent } % of its movement goes in another direction than the one that drives.
@@ -168,24 +172,24 @@ calibration-suggested = Suggested: { $gestures }.
 # In the list above: a joint whose movement back is the gesture.
 calibration-gesture-back = { $joint } going back
 calibration-suggested-one =
-    The weakest of them has { $signal ->
+    It has { $signal ->
         [strong] a strong signal
         [fair] a fair signal
        *[weak] a weak signal
     }.
 calibration-suggested-unprompted =
-    The weakest of them has { $signal ->
+    The weakest of these movements has { $signal ->
         [strong] a strong signal
         [fair] a fair signal
        *[weak] a weak signal
     }; nothing was prompted, so it is not known what moves along.
 calibration-suggested-several =
-    The weakest of them has { $signal ->
+    The weakest of these movements has { $signal ->
         [strong] a strong signal
         [fair] a fair signal
        *[weak] a weak signal
     }; on average { $percent } % of another's activation appears while one moves.
-calibration-suggested-without = { $joint } is left out: it comes with { $partner } ({ $percent } % of its activation).
+calibration-suggested-without = { $joint } is left out because of { $partner }: up to { $percent } % of the activation of one appears while the other moves.
 calibration-suggested-hits = At least { $hits } of 100 movements should be answered.
 calibration-suggested-false = At rest, { $rate } false activations a minute are expected of all of them together; { $seconds } s of rest prove only fewer than { $bound } of each (95 %).
 calibration-suggested-hardly-false = At rest, fewer than { $rate } false activations a minute are expected of all of them together; { $seconds } s of rest prove only fewer than { $bound } of each (95 %).

@@ -3,18 +3,18 @@
 
 ## Profile and controls.
 
-calibration-full-too-low = gesture '{ $gesture }': “{ tune-full }” ({ $full } %) must be at least 1 % above “{ tune-from }” ({ $least } %): raise it
+calibration-full-too-low = gesture '{ $gesture }': “{ tune-full }” ({ $full } %) must be at least { $least } %, which is 1 % above “{ tune-from }”: raise it
 calibration-gesture-twice = gesture '{ $gesture }' stands there twice
 calibration-gesture-joint = gesture '{ $gesture }' reads joint '{ $joint }', which the calibration does not have: use one of { $joints }
 # $control is u1+, u1-, u2+, u2- or stop.
 calibration-binding = { $control } is bound to gesture '{ $gesture }', which does not exist: use one of { $gestures }
 calibration-profile-means = joint '{ $joint }': channels and mean must be of one length
-calibration-profile-map = joint '{ $joint }': its map is '{ $map }', but it has no { $map } map
+calibration-profile-map = joint '{ $joint }': map says '{ $map }', but the joint has no '{ $map }': add it
 calibration-profile-parts = joint '{ $joint }': the { $map } map must have one number per channel in each part
 calibration-profile-pca = joint '{ $joint }': the pca map reads no channel
-calibration-profile-covariance = joint '{ $joint }': the covariance must have { $count } rows of { $count } numbers
-calibration-profile-symmetric = joint '{ $joint }': the covariance must be symmetric
-calibration-profile-variance = joint '{ $joint }': the covariance has a variance below 0
+calibration-profile-covariance = joint '{ $joint }': covariance must have { $count } rows of { $count } numbers
+calibration-profile-symmetric = joint '{ $joint }': covariance must be symmetric
+calibration-profile-variance = joint '{ $joint }': covariance has a variance below 0
 calibration-profile-range = low and high must have { $count } numbers, one per channel of the layout
 calibration-profile-noise = noise must have { $count } numbers, one per channel of the layout
 calibration-profile-channel = joint '{ $joint }' reads a channel that the layout does not have
@@ -37,7 +37,7 @@ calibration-prior-ring = the ring's numbers do not fit together: make the entry 
 calibration-prior-entry = the entry of '{ $code }'
 calibration-prior-release = the release
 calibration-prior-unknown-joint = { $where } names joint '{ $joint }', which '{ $layout }' does not have
-calibration-prior-size = { $where } does not have one number for each channel of joint '{ $joint }': add it again
+calibration-prior-size = { $where } does not have one number for each channel of joint '{ $joint }': make it again
 calibration-prior-ring-size = { $where } has { $count } sensors in ring '{ $ring }', and '{ $layout }' has another number
 calibration-prior-release-own = a release holds sums and no entries of people: merge it without --own
 calibration-prior-two-entries = two of them have different entries for the person '{ $code }': give one another code

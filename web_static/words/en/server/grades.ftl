@@ -33,8 +33,8 @@ grade-uneven =
         [repeat] The repetitions differ by { $percent } %: repeat them evenly.
        *[usable] The repetitions differ by { $percent } %: more even ones would drive more evenly.
     }
-grade-angle = The prompted movement is { $degrees } degrees away from the free one: the prompted direction is used, check it in Try it.
-grade-cross-talk = '{ $joint }' answers too, with { $percent } % of its own activation: move this joint alone, or do not bind both.
+grade-angle = The prompted movement is { $degrees } degrees away from the free one: the prompted direction is used, check it in “{ try-title }”.
+grade-cross-talk = { $joint } answers too, with { $percent } % of its own activation: move this joint alone, or do not bind both.
 grade-span-of-prompts = It moved little this way in the free movement: the span is that of the prompts.
-grade-one-sensor = Only one of its sensors is left: check the others on the Shirt page.
+grade-one-sensor = Only one of its sensors is left: check the others on the { rail-shirt } page.
 grade-sensors-out = Sensors left out: { $count } of { $every }.

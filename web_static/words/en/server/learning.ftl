@@ -85,8 +85,16 @@ learning-medians =
         [rose] In the medians of the first and the last { $edge } of { $trials } trials, { $subject } rose from { $first } to { $last }.
        *[went] In the medians of the first and the last { $edge } of { $trials } trials, { $subject } went from { $first } to { $last }.
     }
-learning-p-small = The last third of the sessions against the first, or the newest against those before, beside this person's own noise: p < 0.001; a change has p < { $level }.
-learning-p = The last third of the sessions against the first, or the newest against those before, beside this person's own noise: p = { $p }; a change has p < { $level }.
+learning-p-small =
+    { $sessions ->
+        [one] The last third of the trials against the first, beside this person's own noise: p < 0.001; a change has p < { $level }.
+       *[other] The last third of the sessions against the first, or the newest session against those before, beside this person's own noise: p < 0.001; a change has p < { $level }.
+    }
+learning-p =
+    { $sessions ->
+        [one] The last third of the trials against the first, beside this person's own noise: p = { $p }; a change has p < { $level }.
+       *[other] The last third of the sessions against the first, or the newest session against those before, beside this person's own noise: p = { $p }; a change has p < { $level }.
+    }
 learning-slope =
     { $how ->
         [falls] From trial to trial it falls by { $step } in the median.

@@ -3,6 +3,12 @@
 # A level, as in "1.23 m²": $unit stands in no catalogue, because units are written alike in every language.
 measure-with-unit = { $figure } { $unit }
 measure-degrees = { $figure }°
+# A difference of two shares, as in "fell by about 12 percentage points". $count is that number, $figure how it is written.
+measure-points =
+    { $count ->
+        [one] { $figure } percentage point
+       *[other] { $figure } percentage points
+    }
 measure-number = { $figure }
 
 ## Measures of a trial. The message that ends in "-subject" is the measure within a sentence, as in "Within noise over 12
@@ -18,8 +24,8 @@ measure-follow-error-max = Largest error of the distance to the leader
 measure-follow-error-max-subject = the largest error of the distance to the leader
 measure-follow-near = Share of time near the asked distance
 measure-follow-near-subject = the share of time near the asked distance
-measure-heading-error-deg = Angle off the mark
-measure-heading-error-deg-subject = the angle off the mark
+measure-heading-error-deg = Angle off the asked heading
+measure-heading-error-deg-subject = the angle off the asked heading
 measure-heading-error-deg-definition = Error of the heading
 measure-turn-drift = Moved off the spot
 measure-turn-drift-subject = the way off the spot
@@ -51,9 +57,9 @@ measure-cross-track-max = Largest distance from the path
 measure-cross-track-max-subject = the largest distance from the path
 measure-mean-speed = Mean speed
 measure-mean-speed-subject = the mean speed
-measure-stops = Stops
-measure-stops-subject = the number of stops
-measure-stops-definition = Number of stops
+measure-stops = Standstills
+measure-stops-subject = the number of standstills
+measure-stops-definition = Number of standstills
 measure-collisions = Contacts
 measure-collisions-subject = the number of contacts with walls and obstacles
 measure-collisions-definition = Number of collisions
@@ -105,9 +111,9 @@ measure-throughput-meaning = How much information the movements carry: who is tw
 measure-first-entry = Time to a target
 measure-first-entry-definition = Two-minute test: time to the first entry into a target
 measure-first-entry-meaning = From the appearance of a target until the dot is in it for the first time: the mean of the targets reached.
-measure-dial-in = Time to settle in it
+measure-dial-in = Time to settle in a target
 measure-dial-in-definition = Two-minute test: time from the first entry to the last one
-measure-dial-in-meaning = From there until the dot stays in it: 0 when the dot leaves no target again.
+measure-dial-in-meaning = From the first entry into a target until the dot stays in it: 0 when the dot leaves no target again.
 measure-path-efficiency = Straightness of the way
 measure-path-efficiency-definition = Two-minute test: straight way divided by the way of the cursor
 measure-path-efficiency-meaning = The straight way over the way that the dot took: 100 % is straight.

@@ -29,7 +29,11 @@ calibration-move = Mueva: { $joint }
 ## What is wrong with a sensor. The name of the sensor stands before it, as in "Channel e3 is left out: gives no numbers."
 
 calibration-channel-no-numbers = no da ningún número
-calibration-channel-nan = da muestras que no son números ({ $count } de { $samples })
+calibration-channel-nan =
+    { $count ->
+        [one] da { $count } muestra que no es un número (de { $samples })
+       *[other] da { $count } muestras que no son números (de { $samples })
+    }
 calibration-channel-railed = llega al { $percent } % de su rango
 calibration-channel-near = se acerca al final de su rango ({ $percent } %)
 calibration-channel-clipped =
@@ -64,7 +68,7 @@ calibration-unknown-name =
        *[channel] en “{ $layout }” no hay ningún canal “{ $name }”, use uno de estos: { $names }
     }
 calibration-no-joint = ninguna articulación de “{ $layout }” tiene un sensor que se pueda usar: compruebe que la camiseta está conectada y que alguien se movió con ella
-calibration-no-sensor = Ninguno de sus sensores se puede usar: revíselos en la página Camiseta y después repita la calibración.
+calibration-no-sensor = Ninguno de sus sensores se puede usar: revíselos en la página { rail-shirt } y después repita la calibración.
 
 ## Where a map comes from.
 
@@ -75,13 +79,13 @@ calibration-source-standard = estándar
 
 ## Why there is no map learnt from the cues.
 
-calibration-guided-unprompted = No se aprende nada de las indicaciones, porque su movimiento nunca se pidió: pídalo tres veces.
+calibration-guided-unprompted = No se aprende nada de las indicaciones, porque el movimiento de esta articulación nunca se pidió: pídalo tres veces.
 calibration-guided-few =
     { $count ->
         [one] Con { $count } repetición pedida no se aprende nada de las indicaciones: pida al menos { $least }, para que lo aprendido se pueda comprobar con una que se haya reservado.
        *[other] Con { $count } repeticiones pedidas no se aprende nada de las indicaciones: pida al menos { $least }, para que lo aprendido se pueda comprobar con una que se haya reservado.
     }
-calibration-guided-no-rest = No se aprende nada de las indicaciones, porque sus momentos de reposo no suman { $seconds } s: grabe un reposo, o deje pausas entre los movimientos pedidos.
+calibration-guided-no-rest = No se aprende nada de las indicaciones, porque los momentos de reposo de esta articulación no suman { $seconds } s: grabe un reposo, o deje pausas entre los movimientos pedidos.
 calibration-guided-small = No se aprende nada de las indicaciones, porque las señales son demasiado pequeñas: expréselas en una unidad menor.
 calibration-guided-unlike = No se aprende nada de las indicaciones: las repeticiones no tienen nada en común, así que repita los movimientos pedidos.
 
@@ -95,7 +99,7 @@ calibration-prior-few =
 calibration-prior-unlike = Los movimientos de otras personas no tienen nada en común entre sí: añada más personas.
 calibration-prior-small = Las señales son demasiado pequeñas: expréselas en una unidad menor.
 calibration-prior-still = De los sensores que se conocen de otras personas, ninguno se mueve en esta: grabe diez segundos de movimiento libre.
-calibration-not-confirmed = El movimiento se aprendió de otras personas, y el propio todavía no lo ha confirmado ({ $joints }): repítalo una vez en la página Calibrar y practique de nuevo.
+calibration-not-confirmed = El movimiento se aprendió de otras personas, y el propio todavía no lo ha confirmado ({ $joints }): repita cada movimiento una vez en la página { rail-calibrate } y practique de nuevo.
 # Why a prior may not leave the clinic: this one and the next.
 calibration-prior-few-new =
     { $count ->
@@ -141,7 +145,7 @@ calibration-proposal-no-trial = Todavía no se ha hecho ningún ensayo.
 ## Why the calibration of one joint changes, and how; or why it does not. "It" is the joint.
 
 calibration-loss-noise = Su ruido en reposo se ha acercado al valor desde el que cuenta, así que puede actuar por sí sola.
-calibration-loss-missed = El { $percent } % del tiempo de sus movimientos no cuenta, aunque en reposo está quieta.
+calibration-loss-missed = El { $percent } % del tiempo de sus movimientos no cuenta, aunque su ruido en reposo es bajo.
 calibration-loss-weaker = Sus movimientos son un { $percent } % más débiles que en los primeros ensayos.
 calibration-loss-stronger = Sus movimientos son un { $percent } % más fuertes que en los primeros ensayos.
 calibration-loss-direction = El { $percent } % de su movimiento va en una dirección distinta de la que sirve para conducir.
@@ -174,18 +178,18 @@ calibration-suggested-one =
        *[weak] débil
     }.
 calibration-suggested-unprompted =
-    El más débil de ellos tiene una señal { $signal ->
+    El más débil de estos movimientos tiene una señal { $signal ->
         [strong] fuerte
         [fair] aceptable
        *[weak] débil
     }; no se pidió ningún movimiento, así que no se sabe qué se mueve a la vez.
 calibration-suggested-several =
-    El más débil de ellos tiene una señal { $signal ->
+    El más débil de estos movimientos tiene una señal { $signal ->
         [strong] fuerte
         [fair] aceptable
        *[weak] débil
     }; mientras se hace uno, aparece de media un { $percent } % de la activación de otro.
-calibration-suggested-without = { $joint }: no se incluye, porque se activa a la vez otra articulación ({ $partner }, { $percent } % de su activación).
+calibration-suggested-without = { $joint }: no se incluye, porque se activa junto con otra articulación ({ $partner }): mientras se mueve una de las dos, aparece hasta un { $percent } % de la activación de la otra.
 calibration-suggested-hits = Se deberían reconocer al menos { $hits } de 100 movimientos.
 calibration-suggested-false = En reposo se esperan { $rate } activaciones falsas por minuto entre todos; { $seconds } s de reposo solo demuestran que son menos de { $bound } de cada uno (95 %).
 calibration-suggested-hardly-false = En reposo se esperan menos de { $rate } activaciones falsas por minuto entre todos; { $seconds } s de reposo solo demuestran que son menos de { $bound } de cada uno (95 %).

@@ -3,13 +3,13 @@
 
 ## Profile and controls.
 
-calibration-full-too-low = gesto “{ $gesture }”: “{ tune-full }” ({ $full } %) debe superar en un 1 % como mínimo a “{ tune-from }” ({ $least } %), súbalo
+calibration-full-too-low = gesto “{ $gesture }”: “{ tune-full }” ({ $full } %) debe ser como mínimo { $least } %, un 1 % más que “{ tune-from }”, súbalo
 calibration-gesture-twice = el gesto “{ $gesture }” aparece dos veces
 calibration-gesture-joint = el gesto “{ $gesture }” usa la articulación “{ $joint }”, que la calibración no tiene, use una de estas: { $joints }
 # $control is u1+, u1-, u2+, u2- or stop.
 calibration-binding = { $control } está asignado al gesto “{ $gesture }”, que no existe, use uno de estos: { $gestures }
 calibration-profile-means = articulación “{ $joint }”: channels y mean deben tener la misma longitud
-calibration-profile-map = articulación “{ $joint }”: según map, se usa la calibración { $map }, pero el perfil no la contiene
+calibration-profile-map = articulación “{ $joint }”: map dice “{ $map }”, pero la articulación no tiene “{ $map }”: añádalo
 calibration-profile-parts = articulación “{ $joint }”: cada parte de la calibración { $map } debe tener un número por canal
 calibration-profile-pca = articulación “{ $joint }”: la calibración pca no usa ningún canal
 calibration-profile-covariance = articulación “{ $joint }”: covariance debe tener { $count } x { $count } números
@@ -37,7 +37,7 @@ calibration-prior-ring = los números del anillo no concuerdan entre sí: haga d
 calibration-prior-entry = la entrada de “{ $code }”
 calibration-prior-release = la publicación
 calibration-prior-unknown-joint = { $where } nombra la articulación “{ $joint }”, que “{ $layout }” no tiene
-calibration-prior-size = { $where } no tiene un número por cada canal de la articulación “{ $joint }”: añádala de nuevo
+calibration-prior-size = { $where } no tiene un número por cada canal de la articulación “{ $joint }”: hágala de nuevo
 calibration-prior-ring-size = { $where } tiene en el anillo “{ $ring }” otro número de sensores ({ $count }) que “{ $layout }”
 calibration-prior-release-own = una publicación contiene sumas y ninguna entrada de personas: únala sin --own
 calibration-prior-two-entries = dos de ellos tienen entradas distintas de la persona “{ $code }”: dé otro código a una de las dos

@@ -33,8 +33,8 @@ grade-uneven =
         [repeat] Las repeticiones difieren en un { $percent } %: hágalas de nuevo, más iguales entre sí.
        *[usable] Las repeticiones difieren en un { $percent } %: con repeticiones más iguales se conduciría con más regularidad.
     }
-grade-angle = El movimiento pedido está a { $degrees }° del libre: se usa la dirección pedida, compruébela en Probar.
-grade-cross-talk = “{ $joint }” también responde, con un { $percent } % de su propia activación: mueva solo esta articulación, o no asigne las dos.
+grade-angle = El movimiento pedido está a { $degrees }° del libre: se usa la dirección pedida, compruébela en “{ try-title }”.
+grade-cross-talk = { $joint } también responde, con un { $percent } % de su propia activación: mueva solo esta articulación, o no asigne las dos.
 grade-span-of-prompts = En el movimiento libre se movió poco en esta dirección: el rango es el de los movimientos pedidos.
-grade-one-sensor = Solo queda uno de sus sensores: revise los demás en la página Camiseta.
+grade-one-sensor = Solo queda uno de sus sensores: revise los demás en la página { rail-shirt }.
 grade-sensors-out = Sensores excluidos: { $count } de { $every }.

@@ -85,8 +85,16 @@ learning-medians =
         [rose] Según las medianas de los { $edge } primeros y los { $edge } últimos de { $trials } ensayos, { $subject } subió de { $first } a { $last }.
        *[went] Según las medianas de los { $edge } primeros y los { $edge } últimos de { $trials } ensayos, { $subject } pasó de { $first } a { $last }.
     }
-learning-p-small = El último tercio de las sesiones frente al primero, o la más reciente frente a las anteriores, con la variabilidad propia de esta persona como referencia: p < 0,001; un cambio tiene p < { $level }.
-learning-p = El último tercio de las sesiones frente al primero, o la más reciente frente a las anteriores, con la variabilidad propia de esta persona como referencia: p = { $p }; un cambio tiene p < { $level }.
+learning-p-small =
+    { $sessions ->
+        [one] El último tercio de los ensayos frente al primero, con la variabilidad propia de esta persona como referencia: p < 0,001; un cambio tiene p < { $level }.
+       *[other] El último tercio de las sesiones frente al primero, o la sesión más reciente frente a las anteriores, con la variabilidad propia de esta persona como referencia: p < 0,001; un cambio tiene p < { $level }.
+    }
+learning-p =
+    { $sessions ->
+        [one] El último tercio de los ensayos frente al primero, con la variabilidad propia de esta persona como referencia: p = { $p }; un cambio tiene p < { $level }.
+       *[other] El último tercio de las sesiones frente al primero, o la sesión más reciente frente a las anteriores, con la variabilidad propia de esta persona como referencia: p = { $p }; un cambio tiene p < { $level }.
+    }
 learning-slope =
     { $how ->
         [falls] De un ensayo al siguiente baja { $step } de mediana.

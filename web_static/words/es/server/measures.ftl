@@ -3,6 +3,12 @@
 # A level, as in "1.23 m²": $unit stands in no catalogue, because units are written alike in every language.
 measure-with-unit = { $figure } { $unit }
 measure-degrees = { $figure }°
+# A difference of two shares, as in "fell by about 12 percentage points". $count is that number, $figure how it is written.
+measure-points =
+    { $count ->
+        [one] { $figure } punto porcentual
+       *[other] { $figure } puntos porcentuales
+    }
 measure-number = { $figure }
 
 ## Measures of a trial. The message that ends in "-subject" is the measure within a sentence, as in "Within noise over 12
@@ -18,8 +24,8 @@ measure-follow-error-max = Error máximo de la distancia al guía
 measure-follow-error-max-subject = el error máximo de la distancia al guía
 measure-follow-near = Proporción del tiempo cerca de la distancia pedida
 measure-follow-near-subject = la proporción del tiempo cerca de la distancia pedida
-measure-heading-error-deg = Ángulo respecto a la marca
-measure-heading-error-deg-subject = el ángulo respecto a la marca
+measure-heading-error-deg = Desviación de la orientación pedida
+measure-heading-error-deg-subject = la desviación de la orientación pedida
 measure-heading-error-deg-definition = Error de la orientación
 measure-turn-drift = Desplazamiento fuera del punto
 measure-turn-drift-subject = el desplazamiento fuera del punto
@@ -105,9 +111,9 @@ measure-throughput-meaning = Cuánta información contienen los movimientos: qui
 measure-first-entry = Tiempo hasta una diana
 measure-first-entry-definition = Prueba de dos minutos: tiempo hasta la primera entrada en una diana
 measure-first-entry-meaning = Desde que aparece una diana hasta que el punto está en ella por primera vez: la media de las dianas alcanzadas.
-measure-dial-in = Tiempo hasta quedarse en ella
+measure-dial-in = Tiempo hasta quedarse en una diana
 measure-dial-in-definition = Prueba de dos minutos: tiempo desde la primera entrada hasta la última
-measure-dial-in-meaning = Desde ese momento hasta que el punto se queda en ella: 0 si el punto no vuelve a salir de ninguna diana.
+measure-dial-in-meaning = Desde la primera entrada en una diana hasta que el punto se queda en ella: 0 si el punto no vuelve a salir de ninguna diana.
 measure-path-efficiency = Rectitud del camino
 measure-path-efficiency-definition = Prueba de dos minutos: camino recto dividido por el camino del cursor
 measure-path-efficiency-meaning = El camino recto respecto al camino que siguió el punto: 100 % es recto.

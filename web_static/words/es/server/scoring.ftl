@@ -17,6 +17,8 @@ verdict-goal-missed = Desde la sesión { $session }, la meta queda sin alcanzar 
 
 ## Warnings of control quality, each with advice. $joint is a name such as "Left elbow".
 
+# The joints of a warning, as in "Left elbow and Right elbow".
+warning-joints = { $joints }
 warning-few-trials =
     Pocos ensayos: para saber si los movimientos se hacen más pequeños hacen falta { $least_trials } ensayos de una tarea en una sesión, o { $least_sessions } sesiones; { $trials ->
         [one] hasta ahora hay { $trials } ensayo en la última sesión
@@ -29,7 +31,7 @@ warning-shirt = La camiseta no está colocada como cuando se calibró: { $count 
 warning-shirt-advice = Coloque bien la camiseta. Si se ha puesto de nuevo, ajuste a ella la calibración en la página { rail-calibrate }.
 warning-sensor-silent = { $joint }: el sensor { $sensor } no dio ninguna señal durante el { $percent } % del ensayo { $trial }; mientras tanto, lo que hizo esta articulación no tuvo efecto.
 warning-sensor-range = { $joint }: el sensor { $sensor } estuvo fuera de su rango calibrado durante el { $percent } % del ensayo { $trial }; mientras tanto, lo que hizo esta articulación no tuvo efecto.
-warning-sensor-advice = Véalo en la página Camiseta, coloque bien la camiseta e introduzca el conector hasta el fondo. Si sigue igual, marque el sensor como sin usar y calibre de nuevo: así queda excluido.
+warning-sensor-advice = Véalo en la página { rail-shirt }, coloque bien la camiseta e introduzca el conector hasta el fondo. Si sigue igual, elija allí “{ sensor-unused }” y calibre de nuevo.
 warning-turned = { $joint }: el movimiento ha girado { $degrees }° respecto a los primeros ensayos con esta calibración.
 warning-turned-advice = ¿Se ha puesto la camiseta de nuevo, o se ha desplazado? Colóquela bien, o calibre de nuevo.
 warning-off-map = { $joint }: el movimiento está a { $degrees }° de la calibración, y un { $percent } % de él nunca llega al control.
@@ -42,7 +44,7 @@ warning-trembles = { $joint }: en reposo tiembla a un { $percent } % / s del mov
 warning-trembles-advice = Compruebe si hay temblor, si el paciente está cansado o si un conector está suelto. Después suba su “{ tune-from }” en la página { rail-controls }, o baje “{ speed-cutoff }”: un valor menor atenúa más.
 warning-noise = { $joint }: el ruido en reposo ha aumentado hasta { $ratio } veces el de los primeros ensayos.
 # Rest is a step of the calibration.
-warning-noise-advice = Compruebe si hay temblor, si el paciente está cansado o, en la página Camiseta, si un conector está suelto. Si persiste, repita el paso { calibration-rest } de la calibración, para que el movimiento cuente solo por encima del ruido.
+warning-noise-advice = Compruebe si hay temblor, si el paciente está cansado o, en la página { rail-shirt }, si un conector está suelto. Si persiste, repita el paso { calibration-rest } de la calibración, para que el movimiento cuente solo por encima del ruido.
 warning-smaller = { $joint }: el movimiento se ha hecho un { $percent } % más pequeño a lo largo de { $sessions } sesiones.
 warning-smaller-advice = Pregunte por la fuerza y el dolor. Si persiste, calibre de nuevo, para que “{ tune-full }” sea lo que la persona alcanza ahora, y anote la amplitud de movimiento en la ficha.
 warning-tired = { $joint }: el movimiento se ha hecho un { $percent } % más pequeño durante esta sesión.
@@ -61,7 +63,6 @@ timeline-goal = Se alcanzó la meta.
 trial-recording-no-place = La grabación de este ensayo no indica ningún lugar: elija otro ensayo.
 trial-recording-empty = La grabación de este ensayo no contiene nada: elija otro ensayo.
 trial-recording-damaged = La grabación de este ensayo no contiene nada. { $damage }
-trial-recording-nothing = La grabación de este ensayo no contiene nada.
 
 ## What interrupted a trial, how often, and for how long.
 
