@@ -78,7 +78,7 @@ def test_other_files_and_missing_blocks_are_named(save):
     space.add_blockref("NOWHERE", (0, 0))
     draft = import_dxf(save(document))
     assert "other files, bind them to the drawing to have them: 2 WALLS_EG." in said(draft)
-    assert "1 missing blocks" in said(draft)
+    assert "1 missing block" in said(draft)
 
 
 def test_a_clipped_block_is_named(save):
@@ -86,7 +86,7 @@ def test_a_clipped_block_is_named(save):
     block_with_two_layers(document)
     clip = ezdxf.xclip.XClip(space.add_blockref("BED", (3, 3)))
     clip.set_block_clipping_path([(0, 0), (0.5, 0.5)])
-    assert "1 clipped blocks, which are read whole" in said(import_dxf(save(document)))
+    assert "1 clipped block, which is read whole" in said(import_dxf(save(document)))
 
 
 @pytest.mark.parametrize("rotation", [0, 90, 30])

@@ -55,5 +55,5 @@ host-service-unwritable = { $file } kann nicht geschrieben werden ({ $why }). Mi
 host-service-refused = { $file } ist geschrieben, aber systemd hat die Datei nicht angenommen ({ $why }). Beheben Sie das, und versuchen Sie es dann noch einmal.
 # Stands in brackets when systemd gives no reason.
 host-service-exit-code = Exit-Code { $code }
-host-service-installed = { $file } ist installiert und gestartet: „{ $command }“.
+host-service-installed = { $file } ist installiert und gestartet; „{ $command }“ zeigt den Zustand.
 host-service-starts-at-sign-in = Der Dienst startet, wenn Sie sich anmelden. Mit „loginctl enable-linger“ startet er mit dem Rechner.

@@ -12,7 +12,7 @@ study-no-prior = für das simulierte Shirt wird keine Starthilfe mitgeliefert; e
 # measure: the name of a measure, as in “Area off the path”. first, last: its median with its unit, or study-none-reached.
 study-over-seeds = { $measure }: Median in Durchgang 1: { $first }, in Durchgang { $trials }: { $last }; von { $seeds } Personen gefallen bei { $falls }, gestiegen bei { $rises } und innerhalb der Schwankung bei { $no_trend }; unter den ersten { $early } Durchgängen liegt der größte Schritt bei { $early_steps }.
 study-over-seeds-step = { $measure }: Median in Durchgang 1: { $first }, in Durchgang { $trials }: { $last }; von { $seeds } Personen gefallen bei { $falls }, gestiegen bei { $rises } und innerhalb der Schwankung bei { $no_trend }; unter den ersten { $early } Durchgängen liegt der größte Schritt bei { $early_steps }, der des Medians ab Durchgang { $step }.
-study-none-reached = kein Durchgang, der das Ziel erreicht hat
+study-none-reached = niemand hat das Ziel erreicht
 study-left-out =
     { $missed ->
         [one] { $missed } von { $count } Durchgängen hat das Ziel nicht rechtzeitig erreicht und ist in diesen Zahlen nicht enthalten.

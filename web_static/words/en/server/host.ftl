@@ -55,5 +55,5 @@ host-service-unwritable = { $file } cannot be written ({ $why }): with --system,
 host-service-refused = { $file } is written, but systemd did not take it ({ $why }): see to it, then try again.
 # Stands in brackets when systemd gives no reason.
 host-service-exit-code = exit code { $code }
-host-service-installed = { $file } is installed and started: '{ $command }'.
+host-service-installed = { $file } is installed and started; '{ $command }' shows its state.
 host-service-starts-at-sign-in = It starts when you sign in; 'loginctl enable-linger' lets it start with the machine.

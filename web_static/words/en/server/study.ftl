@@ -10,10 +10,14 @@ study-no-prior = no prior ships for the simulated shirt: make one with `make shi
 ## Several people, each with their own seed (a number from which a simulated person is made)
 
 # measure: the name of a measure, as in “Area off the path”. first, last: its median with its unit, or study-none-reached.
-study-over-seeds = { $measure }: median { $first } in trial 1, { $last } in trial { $trials }; of { $seeds } people it fell in { $falls }, rose in { $rises } and stayed within noise in { $no_trend }; the largest step is among the first { $early } trials in { $early_steps }.
-study-over-seeds-step = { $measure }: median { $first } in trial 1, { $last } in trial { $trials }; of { $seeds } people it fell in { $falls }, rose in { $rises } and stayed within noise in { $no_trend }; the largest step is among the first { $early } trials in { $early_steps }, the median's from trial { $step } on.
-study-none-reached = no trial that reached the goal
-study-left-out = { $missed } of { $count } trials did not reach the goal in time and are left out of these figures.
+study-over-seeds = { $measure }, median: { $first } in trial 1, { $last } in trial { $trials }; of { $seeds } people it fell in { $falls }, rose in { $rises } and stayed within noise in { $no_trend }; the largest step is among the first { $early } trials in { $early_steps }.
+study-over-seeds-step = { $measure }, median: { $first } in trial 1, { $last } in trial { $trials }; of { $seeds } people it fell in { $falls }, rose in { $rises } and stayed within noise in { $no_trend }; the largest step is among the first { $early } trials in { $early_steps }, the median's from trial { $step } on.
+study-none-reached = nobody reached the goal
+study-left-out =
+    { $missed ->
+        [one] { $missed } of { $count } trials did not reach the goal in time and is left out of these figures.
+       *[other] { $missed } of { $count } trials did not reach the goal in time and are left out of these figures.
+    }
 
 ## A fixed and an adapted map. The tables are in a font of fixed width: in a line of headings, each heading ends where the
 ## English one ends.
