@@ -31,7 +31,9 @@ def report(
 ) -> Response:
     """Return the report of the session with this number, without one of all sessions, on A4 or Letter paper.
 
-    It is in the language of the request unless it names another. 409 without the patient's consent to sharing outside, unless it is a copy for the patient.
+    It is in the language of the request, unless `language` is given.
+
+    409 without the patient's consent to sharing outside, unless it is a copy for the patient.
 
     For owners and clinicians. The file's name holds the patient's id only. The report prints the head of the log with
     its own row, `report exported`.

@@ -86,8 +86,8 @@ def test_without_consent_to_sharing_only_a_copy_for_the_patient_is_made(reported
     answer = clinic("GET", f"/patients/{patient}/report", params={"form": "html"})
     assert (answer.status_code, answer.json()["detail"]) == (
         409,
-        f"{CODE} has not consented to sharing outside the clinic: ask, and enter the date under “Sessions and consents”. A "
-        "copy for the patient needs no consent.",
+        f"{CODE} has not consented to sharing outside the clinic: ask, and enter the date under "
+        "“Sessions and consents”. A copy for the patient needs no consent.",
     )
     assert len(clinic.log()) == before
     copy = clinic("GET", f"/patients/{patient}/report", params={"form": "html", "for_patient": True})
