@@ -91,9 +91,7 @@ def test_lost_samples_leave_the_rate(loss):
 def test_a_hole_of_seconds_is_noted_with_its_place():
     t = ROWS / 50
     t[1200:] += 5
-    assert (
-        str(seen(t).note) == "There is 1 gap between the samples, of 5.02 s, before signals.csv, line 1202."
-    )
+    assert str(seen(t).note) == "There is 1 gap between the samples, of 5.02 s, before signals.csv, line 1202."
 
 
 def test_a_row_written_twice_leaves_the_rate():
