@@ -96,7 +96,7 @@ cli-name-unusable = Dieser Name ist nicht verwendbar. Geben Sie 1 bis 80 sichtba
 cli-no-patient-option = --patient { $code }: Einen Patienten mit diesem Code gibt es nicht, siehe Seite „Patienten“.
 cli-person-is-disabled = { $name } ist gesperrt. Offene Seiten dieser Person enden innerhalb von 5 Sekunden.
 cli-person-is-enabled = { $name } kann sich wieder anmelden, mit dem bisherigen Passwort.
-# The link follows. $time is such as 2026-05-01 14:30
+# The link follows. $time is a day with a time of day.
 cli-invitation = Mit diesem Link wählt { $name } ein Passwort, einmal, bis { $time }:
 cli-not-running = Das Programm läuft jetzt nicht. Starten Sie es mit `bodydrive serve`, und öffnen Sie dann den Link unter seiner Adresse.
 
@@ -367,7 +367,7 @@ cli-prior-was-read = { $file } ist eine Datei, die hierfür gelesen wurde: Geben
 cli-prior-unwritable = { $file } kann nicht geschrieben werden ({ $reason }): Wählen Sie einen anderen Ort
 cli-prior-person = --person { $person }: geben Sie 1 bis 64 Buchstaben, Ziffern, Punkte oder Bindestriche an
 
-## backup and restore. $time is such as 2026-05-01T14:30
+## backup and restore. $time is a day with a time of day.
 
 cli-backup-made =
     { $name }: { $files } Dateien, { $size } MB, { $keys ->
@@ -412,7 +412,7 @@ cli-archive-replaced = Patient { $code } ist ersetzt. Sitzungen: { $sessions }. 
 cli-archive-again = Patient { $code } wurde schon früher aus diesem Archiv importiert. Nichts wurde geändert.
 cli-incident-key = --public-key gehört zu --check. Lassen Sie es weg, oder prüfen Sie eine Vorkommnis-Datei.
 cli-incident-no-folder = Es gibt keinen Ordner { $folder }. Legen Sie ihn an, oder wählen Sie einen anderen Ort.
-# $start and $end are such as 2026-05-01T14:30
+# $start and $end are days with a time of day.
 cli-incident-right = { $name }: Dateien: { $files }, Aufzeichnungen: { $recordings }, von { $start } bis { $end } UTC. Jeder Hashwert und die Signatur stimmen.
 cli-incident-hash = Hashwert des Manifests: { $hash }
 cli-incident-fingerprint = Fingerabdruck des Schlüssels: { $fingerprint }

@@ -96,7 +96,7 @@ cli-name-unusable = This name cannot be used: give 1 to 80 visible characters.
 cli-no-patient-option = --patient { $code }: there is no patient of this code, see the Patients page.
 cli-person-is-disabled = { $name } is disabled: pages that { $name } has open end within 5 seconds.
 cli-person-is-enabled = { $name } can sign in again, with the password of before.
-# The link follows. $time is such as 2026-05-01 14:30
+# The link follows. $time is a day with a time of day.
 cli-invitation = { $name } chooses a password with this link, once, until { $time }:
 cli-not-running = The program does not run now: start it with `bodydrive serve`, then open the link at its address.
 
@@ -367,7 +367,7 @@ cli-prior-was-read = { $file } is a file that was read for this: give the prior 
 cli-prior-unwritable = { $file } cannot be written ({ $reason }): choose another place
 cli-prior-person = --person { $person }: give 1 to 64 letters, digits, dots or dashes
 
-## backup and restore. $time is such as 2026-05-01T14:30
+## backup and restore. $time is a day with a time of day.
 
 cli-backup-made =
     { $name }: { $files } files, { $size } MB, { $keys ->
@@ -412,7 +412,7 @@ cli-archive-replaced = The patient { $code } is replaced. Sessions: { $sessions 
 cli-archive-again = The patient { $code } was imported from this archive before: nothing was changed.
 cli-incident-key = --public-key belongs to --check: leave it out, or check an incident file.
 cli-incident-no-folder = There is no folder { $folder }: make it, or choose another place.
-# $start and $end are such as 2026-05-01T14:30
+# $start and $end are days with a time of day.
 cli-incident-right = { $name }: { $files } files, { $recordings } recordings, from { $start } to { $end } UTC. Every hash and the signature are right.
 cli-incident-hash = Hash of the manifest: { $hash }
 cli-incident-fingerprint = Fingerprint of the key: { $fingerprint }

@@ -96,7 +96,7 @@ cli-name-unusable = Este nombre no se puede usar: indique de 1 a 80 caracteres v
 cli-no-patient-option = --patient { $code }: no hay ningún paciente con este código, vea la página Pacientes.
 cli-person-is-disabled = El acceso de { $name } está desactivado: las páginas que { $name } tiene abiertas se cierran en menos de 5 segundos.
 cli-person-is-enabled = { $name } puede entrar de nuevo, con la contraseña de antes.
-# The link follows. $time is such as 2026-05-01 14:30
+# The link follows. $time is a day with a time of day.
 cli-invitation = { $name } elige una contraseña con este enlace, una sola vez, hasta el { $time }:
 cli-not-running = El programa no está en marcha: inícielo con `bodydrive serve` y abra el enlace en su dirección.
 
@@ -367,7 +367,7 @@ cli-prior-was-read = { $file } es un archivo que se leyó para esto: dé otro no
 cli-prior-unwritable = { $file } no se puede escribir ({ $reason }): elija otro lugar
 cli-prior-person = --person { $person }: indique de 1 a 64 letras, cifras, puntos o guiones
 
-## backup and restore. $time is such as 2026-05-01T14:30
+## backup and restore. $time is a day with a time of day.
 
 cli-backup-made =
     { $name }: { $files } archivos, { $size } MB, { $keys ->
@@ -412,7 +412,7 @@ cli-archive-replaced = Se ha sustituido el paciente { $code }. Sesiones: { $sess
 cli-archive-again = El paciente { $code } ya se había importado de este expediente: no ha cambiado nada.
 cli-incident-key = --public-key se usa con --check: omítalo, o compruebe un archivo de incidente.
 cli-incident-no-folder = No hay ninguna carpeta { $folder }: créela, o elija otro lugar.
-# $start and $end are such as 2026-05-01T14:30
+# $start and $end are days with a time of day.
 cli-incident-right = { $name }: archivos: { $files }, grabaciones: { $recordings }, de { $start } a { $end } UTC. Todas las huellas y la firma son correctas.
 cli-incident-hash = Huella del manifiesto: { $hash }
 cli-incident-fingerprint = Huella de la clave: { $fingerprint }
