@@ -69,7 +69,14 @@ plan-wall-pieces =
        *[other] { NUMBER($count, useGrouping: 1) } Wandstücke.
     }
 
-## Import of drawings (DXF). A unit is mm, cm, m, inch or foot.
+## Import of drawings (DXF). $unit: a text plan-unit; $units: mm, cm, m, inch, foot.
+
+plan-unit =
+    { $unit ->
+        [inch] Zoll
+        [foot] Fuß
+       *[other] { $unit }
+    }
 
 plan-drawing-empty = { $file }: in dieser Zeichnung gibt es (auf den gewählten Ebenen) keine Linien; wählen Sie andere Ebenen
 plan-drawing-walls-too-many = { $file }: diese Zeichnung hat { NUMBER($count, useGrouping: 1) } Wandstücke, höchstens { NUMBER($most, useGrouping: 1) } sind möglich; wählen Sie weniger Ebenen

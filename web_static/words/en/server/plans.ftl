@@ -69,7 +69,14 @@ plan-wall-pieces =
        *[other] { NUMBER($count, useGrouping: 1) } wall pieces.
     }
 
-## Import of drawings (DXF). A unit is mm, cm, m, inch or foot.
+## Import of drawings (DXF). $unit: a text plan-unit; $units: mm, cm, m, inch, foot.
+
+plan-unit =
+    { $unit ->
+        [inch] inches
+        [foot] feet
+       *[other] { $unit }
+    }
 
 plan-drawing-empty = { $file }: there are no lines in this drawing (on the chosen layers), choose others
 plan-drawing-walls-too-many = { $file }: this drawing has { NUMBER($count, useGrouping: 1) } wall pieces and at most { NUMBER($most, useGrouping: 1) } are taken, choose fewer layers

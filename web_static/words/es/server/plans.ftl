@@ -69,7 +69,14 @@ plan-wall-pieces =
        *[other] { NUMBER($count, useGrouping: 1) } tramos de pared.
     }
 
-## Import of drawings (DXF). A unit is mm, cm, m, inch or foot.
+## Import of drawings (DXF). $unit: a text plan-unit; $units: mm, cm, m, inch, foot.
+
+plan-unit =
+    { $unit ->
+        [inch] pulgadas
+        [foot] pies
+       *[other] { $unit }
+    }
 
 plan-drawing-empty = { $file }: en este dibujo no hay líneas (en las capas elegidas), elija otras
 plan-drawing-walls-too-many = { $file }: este dibujo tiene { NUMBER($count, useGrouping: 1) } tramos de pared y se admiten { NUMBER($most, useGrouping: 1) } como máximo, elija menos capas
