@@ -68,6 +68,9 @@ shirtdev-recording-channels =
        *[other] { $channels } Kanäle
     } und ihr Layout { $named }; nennen Sie eine andere
 shirtdev-recording-rate = { $folder }: in dieser Aufzeichnung steht nicht, mit welcher Abtastrate sie entstand; nennen Sie eine andere
+# The place of a problem, in front of a colon or comma and the problem.
+shirtdev-file-columns = { $file }: seine Spalten ergeben kein Layout
+shirtdev-recording-layout = { $folder }: das Layout des Shirts in dieser Aufzeichnung
 
 # $problem is a message device-key-...
 shirtdev-not-opened = das Shirt lässt sich nicht verwenden: { $problem }

@@ -68,6 +68,9 @@ shirtdev-recording-channels =
        *[other] { $folder }: this recording has { $channels } channels and its layout { $named }, name another one
     }
 shirtdev-recording-rate = { $folder }: this recording does not say its sample rate, name another one
+# The place of a problem, in front of a colon or comma and the problem.
+shirtdev-file-columns = { $file }: its columns make no layout
+shirtdev-recording-layout = { $folder }: the shirt's layout in this recording
 
 # $problem is a message device-key-...
 shirtdev-not-opened = the shirt is not opened: { $problem }

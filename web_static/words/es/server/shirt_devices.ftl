@@ -64,6 +64,9 @@ shirtdev-recording-short =
 shirtdev-recording-times = { $folder }: los tiempos de esta grabación no aumentan, indique otra
 shirtdev-recording-channels = { $folder }: el número de canales es { $channels } en esta grabación y { $named } en su disposición, indique otra
 shirtdev-recording-rate = { $folder }: esta grabación no indica su frecuencia de muestreo, indique otra
+# The place of a problem, in front of a colon or comma and the problem.
+shirtdev-file-columns = { $file }: sus columnas no forman una disposición
+shirtdev-recording-layout = { $folder }: la disposición de la camiseta en esta grabación
 
 # $problem is a message device-key-...
 shirtdev-not-opened = no se abre la camiseta: { $problem }
