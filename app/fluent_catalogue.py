@@ -59,9 +59,9 @@ def written(language: str, value: Any) -> str:
 
 
 def moment(language: str, value: date | time) -> str:
-    """Return a day, a time of day, or both of a `datetime` in this computer's time zone."""
+    """Return a day, a time of day, or both of a `datetime`: in this computer's time zone if it has one."""
     if isinstance(value, datetime):
-        local = value.astimezone()
+        local = value.astimezone() if value.tzinfo else value
         return f"{moment(language, local.date())} {moment(language, local.time())}"
     if isinstance(value, time):
         return format_time(value, "short", locale=_locale(language))

@@ -30,7 +30,7 @@ class Figure(NamedTuple):
 Value = Union[str, int, float, Figure, date, datetime, time, "Text", Exception, Sequence["Value"]]
 """A value of a text. A list becomes "a, b and c"; an exception stands for the text that it was raised with.
 
-A `datetime` is shown as the day and the time of day in this computer's time zone.
+A `datetime` is shown as the day and the time of day in this computer's time zone, one without a time zone as it is.
 """
 MOMENTS: Final = {kind.__name__: kind for kind in (date, datetime, time)}
 

@@ -72,7 +72,7 @@ def test_without_the_right_to_it_the_loop_goes_on_and_says_so():
     except subprocess.CalledProcessError:
         pytest.skip("Only root can give its rights away, and this test does not run as root.")
     assert "not granted" in found["words"][0]
-    assert "not locked" in found["words"][1]
+    assert "not kept in RAM" in found["words"][1]
     assert found["policies"]["loop"] == found["names"]["other"]
 
 

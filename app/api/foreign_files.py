@@ -1,8 +1,9 @@
 """Take in foreign files one at a time, read them by the isolated reader, and turn its errors into answers."""
 
 import asyncio
+import re
 from collections.abc import Callable, Sequence
-from typing import Any, ParamSpec, TypeVar
+from typing import Any, Final, ParamSpec, TypeVar
 
 from fastapi import HTTPException
 
@@ -10,6 +11,7 @@ from app.isolated_reader import ReadingTimeoutError, read_isolated
 
 Given = ParamSpec("Given")
 Answer = TypeVar("Answer")
+FILE_IN_FRONT: Final = re.compile(r"[\w-]+\.\w+[:,] ")  # of a sentence: it keeps its first letter
 
 
 class OneAtATime:
@@ -33,11 +35,14 @@ class Uploads(OneAtATime):
 
 
 def refusal(error: ValueError, places: Sequence[str] = ()) -> HTTPException:
-    """Return the answer for an error of a reader: 422, or 503 when it took too long; `places` are removed."""
+    """Return the answer for an error of a reader: 422, or 503 when it took too long.
+
+    `places` are removed from its sentence, which begins with a capital letter unless a file's name stands in front.
+    """
     sentence = str(error).removesuffix(".")
     for place in places:
         sentence = sentence.replace(place, "")
-    if sentence.startswith("this "):
+    if not FILE_IN_FRONT.match(sentence):
         sentence = sentence[:1].upper() + sentence[1:]
     return HTTPException(503 if isinstance(error, ReadingTimeoutError) else 422, f"{sentence}.")
 

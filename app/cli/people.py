@@ -172,7 +172,7 @@ def _print_link(name: str, invitation: "MadeInvitation", address: str) -> None:
     base = address or link("http", "127.0.0.1", DEFAULT_PORT)
     address_to_open = f"{base.rstrip('/')}/#invite={invitation.code}"
     typer.echo(terminal_code(address_to_open))
-    typer.echo(Text("cli-invitation", name=name, time=f"{invitation.expires.astimezone():%Y-%m-%d %H:%M}"))
+    typer.echo(Text("cli-invitation", name=name, time=invitation.expires))
     typer.echo(address_to_open)
     if not address:
         typer.echo(Text("cli-not-running"))

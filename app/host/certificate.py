@@ -97,7 +97,7 @@ class LocalCertificate:
         except OSError as error:
             end = self._leaf.certificate.not_valid_after_utc
             why = error.strerror or error
-            messages.append(Text("host-certificate-not-renewed", why=why, day=f"{end:%Y-%m-%d}"))
+            messages.append(Text("host-certificate-not-renewed", why=why, day=end.date()))
         self.trust = self._trust(machine)
         present = [*self.trust.names, *self.trust.addresses]
         outside = [each for each in (*machine.names, *map(str, machine.addresses)) if each not in present]
@@ -105,17 +105,17 @@ class LocalCertificate:
             messages.append(Text("host-authority-outside", names=", ".join(outside), file=str(self._root_file)))
         end = self._root.certificate.not_valid_after_utc
         if end - self._now() < 2 * LEAF_LIFE:
-            messages.append(Text("host-authority-ends-soon", day=f"{end:%Y-%m-%d}", file=str(self._root_file)))
+            messages.append(Text("host-authority-ends-soon", day=end.date(), file=str(self._root_file)))
         return messages
 
     def _unusable(self) -> Text | None:
         """Return in a sentence why the root is not valid now, None when it is."""
         root, now = self._root.certificate, self._now()
-        start, end, today = root.not_valid_before_utc, root.not_valid_after_utc, f"{now:%Y-%m-%d}"
+        start, end, today = root.not_valid_before_utc, root.not_valid_after_utc, now.date()
         if now < start:
-            return Text("host-authority-early-clock", today=today, day=f"{start:%Y-%m-%d}")
+            return Text("host-authority-early-clock", today=today, day=start.date())
         if now > end:
-            return Text("host-authority-ended", file=str(self._root_file), day=f"{end:%Y-%m-%d}", today=today)
+            return Text("host-authority-ended", file=str(self._root_file), day=end.date(), today=today)
         return None
 
     def _read_root(self) -> Identity:
@@ -175,8 +175,7 @@ class OwnCertificate:
         except Refusal as refusal:
             return [text_of(refusal)]
         if self.trust.end - self._now() < SOON:
-            day = f"{self.trust.end:%Y-%m-%d}"
-            return [Text("host-certificate-ends-soon", file=str(self._files[0]), day=day)]
+            return [Text("host-certificate-ends-soon", file=str(self._files[0]), day=self.trust.end.date())]
         return []
 
     def _contents(self) -> list[bytes]:
@@ -202,11 +201,11 @@ class OwnCertificate:
 
     def _check_time(self, trust: CertificateTrust) -> None:
         now, file = self._now(), str(self._files[0])
-        today = f"{now:%Y-%m-%d}"
+        today = now.date()
         if now > trust.end:
-            raise Refusal(Text("host-certificate-ended", file=file, day=f"{trust.end:%Y-%m-%d}", today=today))
+            raise Refusal(Text("host-certificate-ended", file=file, day=trust.end.date(), today=today))
         if now < trust.start:
-            raise Refusal(Text("host-certificate-early-clock", file=file, day=f"{trust.start:%Y-%m-%d}", today=today))
+            raise Refusal(Text("host-certificate-early-clock", file=file, day=trust.start.date(), today=today))
 
 
 def _new_context() -> ssl.SSLContext:

@@ -6,7 +6,7 @@ import socket
 import subprocess
 from collections.abc import Sequence
 from dataclasses import dataclass
-from datetime import datetime
+from datetime import UTC, datetime
 from math import ceil
 from pathlib import Path
 from typing import Literal
@@ -82,7 +82,7 @@ def clock_finding(now: datetime, installed: datetime, *, is_kept: bool | None) -
 
     `installed` is when the program was; `is_kept`: whether a time server keeps the clock, None when unknown.
     """
-    time = f"{now:%Y-%m-%d %H:%M}"
+    time = now.astimezone(UTC).replace(tzinfo=None)
     if now < installed:
         return Finding("bad", Text("host-clock-early", time=time))
     if is_kept is None:

@@ -33,7 +33,7 @@ def add_patient(db: Session, code: str, pseudonym: str, note: str) -> Patient:
     if same is not None and same.deleted is None:
         raise Conflict(Text("store-code-taken", code=code, pseudonym=same.pseudonym))
     if same is not None:
-        raise Conflict(Text("store-code-deleted", code=code, patient=same.id))
+        raise Conflict(Text("store-code-deleted", code=code))
     codes = select(Patient.code)
     require_distinct(code, db.scalars(codes, execution_options=WITH_DELETED), "names-code-taken")
     require_distinct(pseudonym, (), "names-code-taken")

@@ -7,14 +7,21 @@ import numpy as np
 from numpy.typing import NDArray
 
 from app.number_format import percent, signed_percent
+from app.plain_table import table_lines
 from app.study.sessions import StudySessionTrial
-from app.texts import Figure, Text
+from app.texts import Figure, Text, value_text
 
 RESAMPLES = 9999
 CONFIDENCE = 0.95
 CLAIM = -0.25  # relative difference of E_diff in the last session that is claimed
 FELT_LIMIT = 0.10  # largest felt change of one adaptation step
 LEAST_AREA = 0.01  # m2, least divisor of a relative difference
+
+SESSION_COLUMNS = (
+    *("session", "fixed", "adapted", "reached-fixed", "reached-adapted"),
+    *("both-drove", "relative-there", "interval"),
+)
+SEED_COLUMNS = ("seed", "fixed", "adapted", "relative", "reached-fixed", "reached-adapted")
 
 Interval = tuple[float, float]
 
@@ -155,22 +162,13 @@ def compare(fixed: Sequence[StudySessionTrial], other: Sequence[StudySessionTria
 
 def table(comparison: MapComparison) -> str:
     """Return the comparison as text: the sessions, the seeds of the last session, and a sentence."""
+    last = comparison["last_session"]
     lines = [
         str(Text("study-area-title")),
-        str(Text("study-session-columns")),
-    ]
-    lines += [
-        f"{row['session']:7d}  {row['fixed']:12.2f}  {row['adapted']:7.2f}  {percent(row['reached_fixed']):>13}  "
-        f"{percent(row['reached_adapted']):>7}  {row['seeds_that_always_drove']:10d}  {_percent(row['relative'], 14)}  "
-        f"{_interval_text(row['interval'])}"
-        for row in comparison["sessions"]
-    ]
-    last = comparison["last_session"]
-    lines += ["", str(Text("study-session", session=last["session"])), str(Text("study-seed-columns"))]
-    lines += [
-        f"{row['seed']:4d}  {row['fixed']:5.2f}  {row['adapted']:7.2f}  {signed_percent(row['relative']):>8}  "
-        f"{percent(row['reached_fixed']):>13}  {percent(row['reached_adapted']):>7}"
-        for row in last["per_seed"]
+        *_sessions_table(comparison["sessions"]),
+        "",
+        str(Text("study-session", session=last["session"])),
+        *_seeds_table(last["per_seed"]),
     ]
     later = comparison["later_sessions"]
     if later is not None:
@@ -188,7 +186,7 @@ def table(comparison: MapComparison) -> str:
     sentence = Text(
         "study-last-session",
         seeds=comparison["seeds"],
-        relative=_percent(last["median_relative"], 0),
+        relative=_percent(last["median_relative"]),
         interval=_interval_text(last["interval"]),
         median=proposals["median"],
         most=proposals["most"],
@@ -287,8 +285,45 @@ def _median(values: NDArray[np.float64]) -> tuple[float | None, Interval | None]
     return float(np.median(values)), (float(bounds.low), float(bounds.high))
 
 
-def _percent(share: float | None, width: int) -> str:
-    return f"{'-' if share is None else signed_percent(share):>{width}}"
+def _sessions_table(sessions: Sequence[SessionAreas]) -> list[str]:
+    rows = [
+        (
+            row["session"],
+            _area(row["fixed"]),
+            _area(row["adapted"]),
+            percent(row["reached_fixed"]),
+            percent(row["reached_adapted"]),
+            row["seeds_that_always_drove"],
+            _percent(row["relative"]),
+            _interval_text(row["interval"]),
+        )
+        for row in sessions
+    ]
+    titles = [Text(f"study-column-{column}") for column in SESSION_COLUMNS]
+    return table_lines([titles, *rows], left=(len(titles) - 1,))
+
+
+def _seeds_table(seeds: Sequence[SeedAreas]) -> list[str]:
+    rows = [
+        (
+            row["seed"],
+            _area(row["fixed"]),
+            _area(row["adapted"]),
+            signed_percent(row["relative"]),
+            percent(row["reached_fixed"]),
+            percent(row["reached_adapted"]),
+        )
+        for row in seeds
+    ]
+    return table_lines([[Text(f"study-column-{column}") for column in SEED_COLUMNS], *rows], left=())
+
+
+def _area(area: float) -> str:
+    return value_text(Figure(area, 2))
+
+
+def _percent(share: float | None) -> str:
+    return "-" if share is None else signed_percent(share)
 
 
 def _interval_text(interval: Interval | None) -> Text | str:

@@ -11,14 +11,16 @@ from numpy.typing import NDArray
 from app.calibration.vocabulary import DriveParameters, standard_parameters
 from app.geometry import Pose
 from app.hardware.chair.simulator import VirtualChair
+from app.number_format import percent
 from app.pipeline.chain import Chain
 from app.pipeline.safety_gate import Conditions
+from app.plain_table import table_lines
 from app.scoring.interface_test.interface_measures import InterfaceMeasures, interface_measures
 from app.study.choices import PersonKind
 from app.study.participant import Participant
 from app.study.sessions import CalibratedParticipant, begin_session, calibrated_participant, each_seed
 from app.study.simulated_trial import drive_trial, score_trial
-from app.texts import Figure, Text
+from app.texts import Figure, Text, value_text
 from app.world.cursor_task import CursorPlan, CursorTask
 from app.world.floorplan import FloorPlan, PrescribedPath
 
@@ -27,6 +29,7 @@ COLUMNS = (
     *("acquisitions_per_minute", "missed", "first_entry", "dial_in", "path_efficiency", "throughput"),
     *("e_diff", "reached"),
 )
+TITLES = ("targets", "missed", "first-entry", "dial-in", "straightness", "throughput", "area", "reached")
 
 
 SessionRow = dict[str, Any]
@@ -153,24 +156,28 @@ def interface_summary(rows: Sequence[InterfaceSession]) -> InterfaceSummary:
 
 def interface_table(summary: InterfaceSummary) -> str:
     """Return the summary as text."""
-    lines = [
-        str(Text("study-test-title")),
-        str(Text("study-test-columns")),
-    ]
-    for row in summary["sessions"]:
-        low, high = row["throughput_p10"], row["throughput_p90"]
-        spread = "-" if low is None else str(Text("study-spread", low=Figure(low, 2), high=Figure(high, 2)))
-        lines.append(
-            f"{row['session']:7d}  {_text(row['acquisitions_per_minute'], 11, 1)}  {_text(row['missed'], 6, 1)}  "
-            f"{_text(row['first_entry'], 14)}  {_text(row['dial_in'], 10)}  {_text(row['path_efficiency'], 12)}  "
-            f"{_text(row['throughput'], 17)} {spread:>16}  {_text(row['e_diff'], 21)}  {row['reached']:7.0%}"
-        )
+    titles = [Text("study-column-session"), *(Text(f"study-test-{column}") for column in TITLES)]
+    lines = [str(Text("study-test-title")), *table_lines([titles, *map(_cells, summary["sessions"])], left=())]
     correlation = summary["rank_correlation"]
     between, within = (
         "-" if rho is None else Figure(rho, 2) for rho in (correlation["between"], correlation["within"])
     )
     sentence = Text("study-rank-correlation", between=between, within=within)
     return "\n".join([*lines, "", str(sentence)]) + "\n"
+
+
+def _cells(row: SessionRow) -> tuple[object, ...]:
+    low, high = row["throughput_p10"], row["throughput_p90"]
+    spread = "-" if low is None else Text("study-spread", low=Figure(low, 2), high=Figure(high, 2))
+    return (
+        row["session"],
+        _figure(row["acquisitions_per_minute"], 1),
+        _figure(row["missed"], 1),
+        *(_figure(row[name]) for name in ("first_entry", "dial_in", "path_efficiency")),
+        f"{_figure(row['throughput'])} {spread}",
+        _figure(row["e_diff"]),
+        percent(row["reached"]),
+    )
 
 
 def _session(rows: list[SessionRow], number: int) -> SessionRow:
@@ -180,8 +187,8 @@ def _session(rows: list[SessionRow], number: int) -> SessionRow:
         document[name] = float(np.median(values)) if len(values) else None
     document["reached"] = float(np.mean([row["reached"] for row in rows]))
     rates = _columns(rows, ("throughput",))[:, 0]
-    for percent in (10, 90):
-        document[f"throughput_p{percent}"] = float(np.percentile(rates, percent)) if len(rates) else None
+    for share in (10, 90):
+        document[f"throughput_p{share}"] = float(np.percentile(rates, share)) if len(rates) else None
     return document
 
 
@@ -200,5 +207,5 @@ def _rank_correlation(pairs: NDArray[np.float64]) -> float | None:
     return float(spearmanr(pairs[:, 0], pairs[:, 1]).statistic)
 
 
-def _text(value: float | None, width: int = 0, digits: int = 2) -> str:
-    return f"{'-' if value is None else f'{value:.{digits}f}':>{width}}"
+def _figure(value: float | None, digits: int = 2) -> str:
+    return "-" if value is None else value_text(Figure(value, digits))

@@ -61,7 +61,7 @@ def test_without_any_guided_map_guided_is_refused(profile):
 def test_both_figures_are_shown(profile):
     assert checks(profile.joints[0], REASONS)["offered"] is True
     assert checks(profile.joints[2], REASONS) == {"map": "pca", "offered": False, "reason": REASON}
-    table = "\n".join(comparison(profile, REASONS, 14))
+    table = "\n".join(comparison(profile, REASONS))
     for words in ("85.0 %", "97.0 %", "3.0", "yes", "no", f"left_shoulder: {REASON}"):
         assert words in table
     assert symbols_in(table) == []

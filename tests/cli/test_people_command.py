@@ -95,7 +95,7 @@ def find_clinic(db):
 @pytest.mark.parametrize(
     ("words", "sentence"),
     [
-        (["disable", "Ada"], "Ada is the last owner who can sign in"),
+        (["disable", "Ada"], "No other owner than Ada can sign in"),
         (["disable", "Nobody"], "There is nobody called 'Nobody'"),
         (["invite", "Ben", "--role", "king"], "--role king is no role"),
         (["invite", "Ben", "--role", "reviewer", "--patient", "P-9"], "--patient P-9: there is no patient"),

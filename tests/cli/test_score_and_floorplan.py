@@ -90,7 +90,7 @@ def test_columns_of_controls_and_contacts_give_more(bodydrive, tables):
         (("none.csv", "path.csv"), "none.csv: there is no such file"),
         (("driven.csv", "none.csv"), "none.csv: there is no such file"),
         (("path.csv", "path.csv"), "path.csv: there is no column 't'"),
-        (("driven.csv", "point.csv"), "point.csv: a path needs at least two different points"),
+        (("driven.csv", "point.csv"), "point.csv: a line needs at least two different points"),
         (("back.csv", "path.csv"), "back.csv: t goes backwards in row 3"),
         (("driven.csv", "path.csv", "--goal-radius", "nan"), "--goal-radius nan"),
         (("driven.csv", "path.csv", "--goal-radius", "-1"), "--goal-radius -1"),

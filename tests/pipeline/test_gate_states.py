@@ -173,6 +173,6 @@ def test_every_fault_of_the_gate_has_words():
 
 
 def test_what_to_do_when_nothing_runs_does_not_name_continue():
-    assert str(EXPLANATIONS[Fault.SHIRT_SILENT].remedy) == "Check its battery and cable on the Shirt page."
+    assert str(EXPLANATIONS[Fault.SHIRT_SILENT].remedy) == "Check its battery and cable, and look at the Shirt page."
     assert not [words for words in EXPLANATIONS.values() if "Continue" in str(words.remedy)]
     assert all(str(words.remedy).endswith(".") and ".." not in str(words.remedy) for words in EXPLANATIONS.values())

@@ -147,7 +147,7 @@ def test_many_segments_are_one_run(ring, tmp_path, monkeypatch):
 
 def test_a_folder_is_recorded_into_once(ring, tmp_path):
     record(ring, tmp_path / "run", 40)
-    with pytest.raises(FileExistsError, match="begin a new run"):
+    with pytest.raises(FileExistsError, match="begin a new one"):
         RunWriter(tmp_path / "run", META, CHANNELS, GESTURES)
 
 

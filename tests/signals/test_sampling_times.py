@@ -91,15 +91,13 @@ def test_lost_samples_leave_the_rate(loss):
 def test_a_hole_of_seconds_is_noted_with_its_place():
     t = ROWS / 50
     t[1200:] += 5
-    assert (
-        str(seen(t).note) == "There is 1 gap between the samples, the longest of 5.02 s before signals.csv, line 1202."
-    )
+    assert str(seen(t).note) == "There is 1 gap between the samples, of 5.02 s, before signals.csv, line 1202."
 
 
 def test_a_row_written_twice_leaves_the_rate():
     times = seen(np.insert(np.arange(300) / 50, 77, 77 / 50))
     assert times.sample_rate == 50.0
-    assert "1 of 301 samples have the time of the sample before" in str(times.note)
+    assert "1 of 301 samples has the time of the sample before" in str(times.note)
 
 
 @pytest.mark.parametrize("sample_rate", [10.0, 50.0, 128.0, 1000.0])

@@ -75,7 +75,7 @@ def test_missing_numbers_are_nan_in_channels(write):
         ("t,a,b\n" + "0,1,1\n" * 20, "t is 0 in every row"),
         ("t,a,b\n0,1,1\n0.1,1,1\n", "2 samples are too few"),
         ("t,a,b\n" + "".join(f"{10 * i},1,1\n" for i in range(20)), "must be in seconds"),
-        ("t\ta\tb\n0\t1\t1\n", "1 samples are too few"),
+        ("t\ta\tb\n0\t1\t1\n", "1 sample is too few"),
         ("t,a,a\n0,1,1\n", "two columns 'a'"),
         ("t,,a\n0,1,1\n", "column 2 has no name"),
         (b"\x89PNG\r\n\x1a\n\x00\x00\xff\xfe", "not a CSV file but something binary"),

@@ -195,7 +195,7 @@ def test_a_crash_between_row_and_head_is_no_alarm_and_stands_in_the_log(tmp_path
     crash(file, "before the head")
     check = verify_log(file)
     assert check.whole
-    assert "newest 3 are not in its head" in str(check.message)
+    assert "newest 3 rows are not in its head" in str(check.message)
     database = Database(file)
     database.close()
     assert str(verify_log(file).message) == "The log is whole: 4 rows, none edited, moved, put in or removed."
@@ -237,7 +237,7 @@ def test_a_head_that_cannot_be_written_loses_no_row(tmp_path: Path, monkeypatch:
     with monkeypatch.context() as patch:
         patch.setattr(HeadFile, "write", full)
         write_rows(database, 2)
-    assert "newest 2 are not in its head" in str(verify_log(file).message)
+    assert "newest 2 rows are not in its head" in str(verify_log(file).message)
     write_rows(database, 1)
     database.close()
     assert str(verify_log(file).message) == "The log is whole: 3 rows, none edited, moved, put in or removed."

@@ -78,7 +78,7 @@ def test_other_files_and_missing_blocks_are_named(save):
     space.add_blockref("NOWHERE", (0, 0))
     draft = import_dxf(save(document))
     assert "other files, bind them to the drawing to have them: 2 WALLS_EG." in said(draft)
-    assert "1 missing blocks" in said(draft)
+    assert "1 missing block" in said(draft)
 
 
 def test_a_clipped_block_is_named(save):
@@ -86,7 +86,7 @@ def test_a_clipped_block_is_named(save):
     block_with_two_layers(document)
     clip = ezdxf.xclip.XClip(space.add_blockref("BED", (3, 3)))
     clip.set_block_clipping_path([(0, 0), (0.5, 0.5)])
-    assert "1 clipped blocks, which are read whole" in said(import_dxf(save(document)))
+    assert "1 clipped block, which is read whole" in said(import_dxf(save(document)))
 
 
 @pytest.mark.parametrize("rotation", [0, 90, 30])
@@ -133,12 +133,12 @@ def test_the_size_and_where_its_unit_comes_from_are_said(save):
 def test_an_inch_that_may_be_a_centimetre_is_said(save):
     document, space = drawing(1)
     room(space, 100)
-    assert "20.3 x 15.2 m large, in inch as it says (8.0 x 6.0 m in cm)" in said(import_dxf(save(document)))
+    assert "20.3 x 15.2 m large, in inches as it says (8.0 x 6.0 m in cm)" in said(import_dxf(save(document)))
 
 
 @pytest.mark.parametrize(
     ("code", "scale", "other"),
-    [(1, 1000, "8.0 x 6.0 m in mm"), (4, 100, "8.0 x 6.0 m in cm"), (6, 30, "73.2 x 54.9 m in foot")],
+    [(1, 1000, "8.0 x 6.0 m in mm"), (4, 100, "8.0 x 6.0 m in cm"), (6, 30, "73.2 x 54.9 m in feet")],
 )
 def test_the_unit_is_asked_for_when_the_size_is_improbable(save, code, scale, other):
     document, space = drawing(code)

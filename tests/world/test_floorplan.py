@@ -65,7 +65,7 @@ def test_an_unknown_path_is_refused_with_the_known_ones():
     ("changes", "words"),
     [
         ({"paths": []}, "paths"),
-        ({"paths": [path([[1, 1], [1, 1]])]}, "path 'main': a path needs at least two different points"),
+        ({"paths": [path([[1, 1], [1, 1]])]}, "path 'main': a line needs at least two different points"),
         ({"paths": [path([[1, 1]])]}, "paths[0].points"),
         ({"paths": [path([[1, 1], [9, 1]]), path([[1, 2], [9, 2]])]}, "path 'main' stands there twice"),
         ({"paths": [path([[1, 1], [1, 9]])]}, "path 'main' comes within 0.00 m of a wall near (1.00, 6.00)"),

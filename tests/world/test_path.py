@@ -30,7 +30,7 @@ def test_repeated_points_count_once():
 
 @pytest.mark.parametrize("line", [[], [(1, 1)], [(1, 1), (1, 1)], [(0, 0), (math.nan, 1)], [(0, 0), (math.inf, 1)]])
 def test_an_invalid_line_is_refused(line):
-    with pytest.raises(ValueError, match="path"):
+    with pytest.raises(ValueError, match="line"):
         Path(line)
 
 

@@ -235,4 +235,4 @@ def test_another_file_is_named():
 
 def test_the_size_in_inches_and_in_centimetres_is_said():
     words = " ".join(map(str, imported("dxf-inch-flag-drawn-in-cm.dxf")[0].messages))
-    assert "30.5 x 20.3 m large, in inch as it says (12.0 x 8.0 m in cm)" in words
+    assert "30.5 x 20.3 m large, in inches as it says (12.0 x 8.0 m in cm)" in words

@@ -2,6 +2,7 @@
 
 import json
 from collections.abc import Mapping
+from itertools import chain
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated, Literal
 
@@ -11,7 +12,8 @@ from app.cli.common_options import AsJson
 from app.cli.errors import InputError
 from app.cli.output import dialect_summary, print_dialect, warn, write_output
 from app.number_format import percent
-from app.texts import Figure, Text, text_of
+from app.plain_table import BETWEEN, column_widths, table_lines
+from app.texts import Figure, Text, text_of, value_text
 
 if TYPE_CHECKING:
     from app.calibration.gestures.discovery import Discovery
@@ -23,6 +25,7 @@ if TYPE_CHECKING:
 MAP_NAMES = {"pca": Text("cli-map-standard"), "guided": Text("cli-map-cues"), "prior": Text("cli-map-people")}
 THRESHOLDS = ("dead_zone", "full")
 PRINTED = ("evr", "span", "has_to_be_repeated", "reason", *THRESHOLDS)
+JOINT_COLUMNS = ("joint", "clear", "span", "hits", "at-rest", "counts-from", "full-at", "calibration")
 GESTURE_COLUMNS = ("score", "signal", "repeats", "along", "effort", "false", "answered")
 CONTROLS = {
     "u1+": Text("cli-control-faster"),
@@ -156,27 +159,27 @@ def _report(
     from app.calibration.fit.profile_fit import joints_without_map
 
     without = joints_without_map(profile)
-    width = max(len(name) for name in (_title("joint"), *profile.layout.joint_names))
-    head = [f"{_title('joint'):{width}}", f"{_title('clear'):>6}  {_title('span'):>10}"]
-    head += [f"{_title('hits'):>18}  {_title('at-rest'):>18}", f"{_title('counts-from'):>11}  {_title('full-at'):>9}"]
-    lines = ["  ".join([*head, _title("calibration")])]
-    for joint in profile.joints:
-        cells = [
-            f"{joint.name:{width}}",
-            f"{joint.evr:6.1%}  {joint.span:10.4g}",
-            *(f"{figure!s:>18}" for figure in expected[joint.name]),
-            f"{_rate(joint.thresholds[0])!s:>11}  {_rate(joint.thresholds[1])!s:>9}  {MAP_NAMES[joint.map]}",
-        ]
-        lines.append("  ".join(cells))
-    no_figures = "  ".join(f"{'-':>{size}}" for size in (6, 10, 18, 18, 11, 9))
-    lines += [f"{name:{width}}  {no_figures}  -" for name in without]
+    rows: list[tuple[object, ...]] = [
+        (
+            joint.name,
+            _percent(joint.evr),
+            value_text(float(f"{joint.span:.4g}")),
+            *expected[joint.name],
+            *map(_rate, joint.thresholds),
+            MAP_NAMES[joint.map],
+        )
+        for joint in profile.joints
+    ]
+    rows += [(name, *["-"] * (len(JOINT_COLUMNS) - 1)) for name in without]
+    titles = [_title(column) for column in JOINT_COLUMNS]
+    lines = table_lines([titles, *rows], left=(0, len(JOINT_COLUMNS) - 1))
     lines += ["", str(Text("cli-calibrate-clear-means")), str(Text("cli-calibrate-expected-means")), ""]
     lines += [_named(joint.name, joint.description) for joint in profile.joints]
     lines += [_named(name, reason) for name, reason in without.items()]
     lines += [
         str(Text("cli-channel-left-out", channel=name, reason=reason)) for name, reason in profile.left_out.items()
     ]
-    lines += ["", *comparison(profile, reasons, width), "", str(Text("cli-calibrate-out", out=str(out)))]
+    lines += ["", *comparison(profile, reasons), "", str(Text("cli-calibrate-out", out=str(out)))]
     return "\n".join(lines)
 
 
@@ -186,13 +189,8 @@ def _named(name: str, text: Text | str) -> str:
 
 def _gesture_table(discovery: "Discovery") -> str:
     """Return one line per gesture, the best first, then the suggestion; `-` where there is no measurement."""
-    width = max(len(gesture.name) for gesture in discovery.gestures)
-    titles = "  ".join(f"{Text(f'cli-gestures-{column}')!s:>9}" for column in GESTURE_COLUMNS)
-    lines = [f"{Text('cli-gesture')!s:{width}}  {titles}"]
-    lines += [
-        f"{gesture.name:{width}}  {'  '.join(f'{cell!s:>9}' for cell in _cells(gesture))}"
-        for gesture in discovery.gestures
-    ]
+    titles = [Text("cli-gesture"), *(Text(f"cli-gestures-{column}") for column in GESTURE_COLUMNS)]
+    lines = table_lines([titles, *((gesture.name, *_cells(gesture)) for gesture in discovery.gestures)])
     suggestion = discovery.suggestion
     bound = [_named(str(CONTROLS[binding.control]), " + ".join(binding.gestures)) for binding in suggestion.bindings]
     return "\n".join([*lines, "", str(suggestion.reason), ", ".join(bound)])
@@ -203,12 +201,14 @@ def _cells(gesture: "FoundGesture") -> list[object]:
 
     forecast = gesture.prediction
     return [
-        f"{gesture.score:.2f}",
+        value_text(Figure(gesture.score, 2)),
         str(signal_word(gesture.signal_to_noise)),
         "-" if gesture.repeatability is None else str(repeats_word(gesture.repeatability)),
         _share(gesture.cross_talk),
         _share(gesture.effort),
-        "-" if forecast is None or forecast.false_per_minute is None else f"{forecast.false_per_minute:.1f}",
+        "-"
+        if forecast is None or forecast.false_per_minute is None
+        else value_text(Figure(forecast.false_per_minute, 1)),
         _share(None if forecast is None else forecast.hit_rate),
     ]
 
@@ -349,31 +349,32 @@ def _check_facts(check: "MapCheck | None") -> object:
     return None if check is None else check.model_dump(mode="json")
 
 
-def comparison(profile: "CalibrationProfile", reasons: "dict[str, Text]", width: int) -> list[str]:
+def comparison(profile: "CalibrationProfile", reasons: "dict[str, Text]") -> list[str]:
     """Return the table of both maps on the held-out repetitions, then the reasons for missing guided maps."""
     both = [(joint.name, joint.guided) for joint in profile.joints if joint.guided]
     lines = []
     if both:
-        titles = [Text(f"cli-compared-{title}") for title in ("in-phase", "time-driven", "false")]
-        maps = f"  {MAP_NAMES['pca']!s:>8}  {MAP_NAMES['guided']!s:>6}"
-        lines += [
-            str(Text("cli-compare-title")),
-            f"{'':{width}}" + "".join(f"  {title!s:>16}" for title in titles),
-            f"{_title('joint'):{width}}" + maps * 3 + f"  {Text('cli-compare-offered')}",
+        titles = [str(Text(f"cli-compared-{title}")) for title in ("in-phase", "time-driven", "false")]
+        rows: list[tuple[object, ...]] = [
+            (_title("joint"), *(MAP_NAMES["pca"], MAP_NAMES["guided"]) * len(titles), Text("cli-compare-offered"))
         ]
-        lines += [
-            f"{name:{width}}  "
-            + "  ".join(
-                f"{standard:>8}  {cues:>6}"
-                for standard, cues in zip(_figures(guided.pca_check), _figures(guided.check), strict=True)
-            )
-            + f"  {Text('cli-yes' if guided.is_better else 'cli-no')}"
-            for name, guided in both
-        ]
+        for name, guided in both:
+            pairs = zip(_figures(guided.pca_check), _figures(guided.check), strict=True)
+            rows.append((name, *chain(*pairs), Text("cli-yes" if guided.is_better else "cli-no")))
+        widths = column_widths(rows)
+        for second, title in enumerate(titles, start=1):  # over two columns
+            widths[2 * second] = max(widths[2 * second], len(title) - widths[2 * second - 1] - len(BETWEEN))
+        over = [widths[2 * second - 1] + len(BETWEEN) + widths[2 * second] for second in range(1, len(titles) + 1)]
+        lines += [str(Text("cli-compare-title")), *table_lines([("", *titles)], [widths[0], *over])]
+        lines += table_lines(rows, widths, left=(0, len(widths) - 1))
     return lines + [_named(name, reason) for name, reason in reasons.items()]
 
 
 def _figures(check: "MapCheck | None") -> tuple[str, ...]:
     if check is None:
         return "-", "-", "-"
-    return percent(check.in_phase, 1), percent(check.hit_rate, 1), f"{check.false_per_minute:.1f}"
+    return _percent(check.in_phase), _percent(check.hit_rate), value_text(Figure(check.false_per_minute, 1))
+
+
+def _percent(share: float) -> str:
+    return f"{value_text(Figure(100.0 * share, 1))} %"

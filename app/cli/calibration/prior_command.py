@@ -15,6 +15,7 @@ from app.cli.errors import InputError
 from app.cli.output import write_output
 from app.features import names
 from app.number_format import percent
+from app.plain_table import table_lines
 from app.settings import Settings
 from app.texts import Figure, Text, text_of
 
@@ -148,10 +149,8 @@ def show(prior: PriorFile, *, as_json: AsJson = False) -> None:
         layout=document.layout.name,
     )
     typer.echo(f"{kind}\n")
-    width = max((len(name) for name in joints), default=5)
-    titles = [("people", 6), ("seconds", 7), ("strokes", 7), ("rate", 15)]
-    head = "  ".join(f"{Text(f'cli-prior-column-{title}')!s:>{size}}" for title, size in titles)
-    typer.echo(f"{Text('cli-prior-movement')!s:{width + 12}}  {head}  {Text('cli-prior-ranges')}")
+    titles = [Text(f"cli-prior-column-{title}") for title in ("people", "seconds", "strokes", "rate")]
+    rows: list[tuple[object, ...]] = [(Text("cli-prior-movement"), *titles, Text("cli-prior-ranges"))]
     for name, joint in pool.joints.items():
         ranges = ", ".join(
             f"{channel} {value}" for channel, value in channel_ranges(document.layout, name, joint).items()
@@ -159,8 +158,8 @@ def show(prior: PriorFile, *, as_json: AsJson = False) -> None:
         movement = Text("cli-prior-prompted", joint=name)
         rates = stroke_rates(joint)
         speed = "-" if rates is None else f"{percent(rates['mean'])} ± {percent(rates['deviation'])}"
-        figures = f"{joint.people:>6}  {joint.seconds:>7.0f}  {joint.strokes:>7.0f}  {speed:>15}"
-        typer.echo(f"{movement!s:{width + 12}}  {figures}  {ranges}")
+        rows.append((movement, joint.people, f"{joint.seconds:.0f}", f"{joint.strokes:.0f}", speed, ranges))
+    typer.echo("\n".join(table_lines(rows, left=(0, len(rows[0]) - 1))))
     typer.echo(Text("cli-prior-rate-means"))
     for name, people_in_ring in rings.items():
         typer.echo(Text("cli-prior-ring", ring=name, people=people_in_ring))

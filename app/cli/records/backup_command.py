@@ -12,6 +12,7 @@ import typer
 from app.cli.clinic_folder import FolderInUseError, lock_folder, open_clinic
 from app.cli.common_options import COMMAND_LINE, AsJson, State, settings_of
 from app.cli.errors import InputError
+from app.cli.records.written_files import utc_time
 from app.file_modes import keep_new_files_private
 from app.refusals import Refusal
 from app.settings import Settings
@@ -110,7 +111,7 @@ def restore(
         return
     done = Text(
         "cli-restored-with-keys" if manifest.with_keys else "cli-restored-without-keys",
-        time=manifest.made[:16],
+        time=utc_time(manifest.made),
         folder=str(settings.state),
         files=len(manifest.files),
         size=Figure(manifest.size / 1e6, 1),
@@ -133,7 +134,7 @@ def _check(target: Path, as_json: bool) -> None:
         facts = {"made": manifest.made, "files": files, "bytes": manifest.size, "hash": manifest.hash}
         typer.echo(json.dumps(facts))
         return
-    typer.echo(Text("cli-backup-whole", name=target.name, files=files, time=manifest.made[:16]))
+    typer.echo(Text("cli-backup-whole", name=target.name, files=files, time=utc_time(manifest.made)))
     typer.echo(Text("cli-backup-hash", hash=manifest.hash))
 
 

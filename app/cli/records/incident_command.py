@@ -10,6 +10,7 @@ import typer
 from app.cli.clinic_folder import open_clinic
 from app.cli.common_options import COMMAND_LINE, AsJson, State, settings_of
 from app.cli.errors import InputError
+from app.cli.records.written_files import utc_time
 from app.refusals import Refusal
 from app.texts import Text, text_of
 
@@ -54,8 +55,8 @@ def incident(
         name=file.name,
         files=archive.files,
         recordings=archive.recordings,
-        start=archive.since[:16],
-        end=archive.made[:16],
+        start=utc_time(archive.since),
+        end=utc_time(archive.made),
     )
     typer.echo(right)
     typer.echo(Text("cli-incident-hash", hash=archive.hash))

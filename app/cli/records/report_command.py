@@ -12,7 +12,7 @@ from app.cli.errors import InputError
 from app.cli.output import check_new_folder, write_output
 from app.cli.records.written_files import patient_named
 from app.refusals import Conflict, Refusal
-from app.texts import ENGLISH, LANGUAGES, Text, text_of
+from app.texts import LANGUAGES, Text, current_language, text_of
 
 if TYPE_CHECKING:
     from app.features.reports.document import Form
@@ -29,8 +29,12 @@ def report(
         bool, typer.Option("--for-patient", help="A copy for the patient: needs no consent to sharing outside.")
     ] = False,
     language: Annotated[
-        str, typer.Option(metavar="LANGUAGE", help=f"The language of the report: one of {', '.join(LANGUAGES)}.")
-    ] = ENGLISH,
+        str | None,
+        typer.Option(
+            metavar="LANGUAGE",
+            help=f"The language of the report, one of {', '.join(LANGUAGES)}; without: that of the terminal.",
+        ),
+    ] = None,
     state: State = None,
 ) -> None:
     """Write the report of a patient's session, or of all sessions; the clinic may be open meanwhile."""
@@ -40,7 +44,7 @@ def report(
     from app.session.clinic_spread import ClinicSpread
 
     form = _form_of(out)
-    if language not in LANGUAGES:
+    if language is not None and language not in LANGUAGES:
         raise InputError(Text("report-no-language", language=language, languages=", ".join(LANGUAGES)))
     check_new_folder(out.parent)
     settings = settings_of(state)
@@ -56,7 +60,7 @@ def report(
             raise InputError(Text("cli-report-for-patient", problem=refusal)) from refusal
         except Refusal as refusal:
             raise InputError(text_of(refusal)) from refusal
-    write_output(out, report_file(material, form, "us-letter" if letter else "a4", language))
+    write_output(out, report_file(material, form, "us-letter" if letter else "a4", language or current_language()))
     typer.echo(Text("cli-file-written", file=str(out)))
 
 

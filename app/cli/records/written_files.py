@@ -1,7 +1,8 @@
-"""Output files about a patient: the patient of a code, and files that are written completely or not at all."""
+"""What commands on records share: the patient of a code, files written completely or not at all, moments of UTC."""
 
 from collections.abc import Iterator
 from contextlib import contextmanager
+from datetime import UTC, datetime
 from pathlib import Path
 from typing import TYPE_CHECKING
 
@@ -39,3 +40,12 @@ def patient_named(database: "Database", code: str) -> int:
         if not matching:
             raise InputError(Text("cli-no-such-patient", code=code))
         return matching[0].id
+
+
+def utc_time(stored: str) -> datetime | str:
+    """Return a moment in ISO 8601 as texts show it in front of "UTC"; what is none, as it is."""
+    try:
+        moment = datetime.fromisoformat(stored)
+        return moment.astimezone(UTC).replace(tzinfo=None) if moment.tzinfo else moment
+    except (ValueError, OverflowError):
+        return stored

@@ -57,9 +57,8 @@ def missing_text(texts: Iterable[str], coverage: Coverage) -> Text | None:
     )
     if not missing:
         return None
-    nameless = str(Text("report-character-nameless"))
     named = ", ".join(
-        f"{_number(character)} ({unicodedata.name(character, nameless).lower()})"
+        f"{_number(character)} ({unicodedata.name(character, '').lower() or Text('report-character-nameless')})"
         for character in list(missing)[:MOST_NAMED]
     )
     if len(missing) <= MOST_NAMED:

@@ -9,7 +9,7 @@ from app.features.reports.composition import file_name, report_file
 from app.features.reports.document import Form
 from app.features.reports.rendering import MEDIA_TYPES
 from app.features.reports.service import Subject, exported_material
-from app.texts import ENGLISH, LANGUAGES
+from app.texts import LANGUAGES, current_language
 
 router = APIRouter(tags=["reports"])
 
@@ -27,9 +27,11 @@ def report(
     session: Annotated[int | None, Query(ge=1, le=2**31)] = None,
     letter: bool = False,
     for_patient: bool = False,
-    language: Annotated[str, Query(pattern=f"^({'|'.join(LANGUAGES)})$")] = ENGLISH,
+    language: Annotated[str | None, Query(pattern=f"^({'|'.join(LANGUAGES)})$")] = None,
 ) -> Response:
     """Return the report of the session with this number, without one of all sessions, on A4 or Letter paper.
+
+    It is in the language of the request, unless `language` is given.
 
     409 without the patient's consent to sharing outside, unless it is a copy for the patient.
 
@@ -39,6 +41,8 @@ def report(
     spreads_of = spread.for_patient(patient_id)
     subject = Subject(patient_id, session)
     material = exported_material(database, settings, subject, form, person.name, spreads_of, for_patient=for_patient)
-    content = computing.ask(report_file, material, form, "us-letter" if letter else "a4", language)
+    content = computing.ask(
+        report_file, material, form, "us-letter" if letter else "a4", language or current_language()
+    )
     disposition = f'attachment; filename="{file_name(material, form)}"'
     return Response(content, media_type=MEDIA_TYPES[form], headers={"Content-Disposition": disposition})

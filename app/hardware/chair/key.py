@@ -17,7 +17,7 @@ Problem = Literal["unreadable", "no-text", "not-private", "no-key"]
 SENTENCES: dict[Problem, str] = {
     "unreadable": "the key file {file} cannot be read ({why}): give the file that pairing made",
     "no-text": "the key file {file} cannot be read (it is no text): give the file that pairing made",
-    "not-private": "the key file {file} can be read by others: say `chmod 600 {file}`, or pair anew",
+    "not-private": "the key file {file} can be read by others: run `chmod 600 {file}`, or pair anew",
     "no-key": ("the key file {file} holds no key: it must be one line, a number up to 65535, a space, 64 hex digits"),
 }
 

@@ -200,7 +200,7 @@ def _bound(host: str, port: int) -> socket.socket:
             end.close()
             raise
     except (OSError, UnicodeError) as error:
-        why = getattr(error, "strerror", None) or "no host name"
+        why = getattr(error, "strerror", None) or "no such host name"
         raise CannotStart(f"cannot listen on {host}:{port} ({why}), choose another --bind or --port") from error
     return end
 

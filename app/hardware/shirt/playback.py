@@ -123,7 +123,7 @@ def _read_file(path: Path) -> FrameFile:
         try:
             layout = layout_from_names(path, signals.channel_names)
         except ValidationError as error:
-            raise ValueError(one_sentence(error, f"{path}: its columns make no layout")) from error
+            raise ValueError(one_sentence(error, Text("shirtdev-file-columns", file=str(path)))) from error
     t = signals.t - signals.t[0]
     seq = _rising(np.rint(t * signals.sample_rate).astype(np.int64))
     return FrameFile(path.name, layout, signals.sample_rate, t, seq, signals.values.astype(np.float32), signals.damage)
@@ -161,7 +161,7 @@ def _described(folder: Path, meta: Mapping[str, object]) -> tuple[ShirtLayout, f
     try:
         layout = ShirtLayout.model_validate(meta.get("layout"))
     except ValidationError as error:
-        raise ValueError(one_sentence(error, f"{folder}: the shirt's layout in this recording")) from error
+        raise ValueError(one_sentence(error, Text("shirtdev-recording-layout", folder=str(folder)))) from error
     rate = meta.get("sample_rate")
     if not isinstance(rate, int | float) or isinstance(rate, bool) or not 0 < rate < math.inf:
         raise ValueError(Text("shirtdev-recording-rate", folder=str(folder)))

@@ -117,7 +117,7 @@ def _check_unit(file: Path, unit: str, width: float, height: float) -> None:
     """Raise ValueError when the drawing's own unit gives a storey an improbable size."""
     if PROBABLE[0] <= max(width, height) <= PROBABLE[1]:
         return
-    size: dict[str, Value] = {"file": str(file), "unit": unit, "width": width, "height": height}
+    size: dict[str, Value] = {"file": str(file), "unit": Text("plan-unit", unit=unit), "width": width, "height": height}
     if sizes := _other_units(unit, width, height, UNITS):
         raise ValueError(Text("plan-drawing-improbable-unit", **size, sizes=sizes))
     raise ValueError(Text("plan-drawing-improbable", **size))
@@ -129,7 +129,11 @@ def _size_sentence(unit: str, width: float, height: float, *, is_given: bool) ->
     An own unit that is not metric comes with the sizes in metric ones: many drawings are marked as inch or foot
     wrongly.
     """
-    size: dict[str, Value] = {"unit": unit, "width": Figure(width, 1), "height": Figure(height, 1)}
+    size: dict[str, Value] = {
+        "unit": Text("plan-unit", unit=unit),
+        "width": Figure(width, 1),
+        "height": Figure(height, 1),
+    }
     if is_given:
         return Text("plan-drawing-size-given", **size)
     if sizes := [] if unit in METRIC else _other_units(unit, width, height, METRIC):
@@ -141,7 +145,12 @@ def _other_units(unit: str, width: float, height: float, units: Iterable[str]) -
     """Return the probable sizes (m) of a drawing in other units."""
     factors = [(name, UNITS[name] / UNITS[unit]) for name in units if name != unit]
     return [
-        Text("plan-size-in-unit", width=Figure(width * factor, 1), height=Figure(height * factor, 1), unit=name)
+        Text(
+            "plan-size-in-unit",
+            width=Figure(width * factor, 1),
+            height=Figure(height * factor, 1),
+            unit=Text("plan-unit", unit=name),
+        )
         for name, factor in factors
         if PROBABLE[0] <= max(width, height) * factor <= PROBABLE[1]
     ]

@@ -31,4 +31,4 @@ def test_before_the_sign_in_it_is_of_the_browser_alone(owned: Clinic) -> None:
 
 def test_a_language_that_is_not_offered_is_refused(owned: Clinic) -> None:
     answer = owned("PUT", "/auth/language", json={"language": "xx"})
-    assert sentence_of(answer, 422) == "There is no language “xx” here: choose one of en, es and de."
+    assert sentence_of(answer, 422) == "There is no language “xx” here. Choose one of these: en, es and de."

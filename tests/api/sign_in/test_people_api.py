@@ -71,7 +71,7 @@ def test_the_last_owner_who_can_sign_in_stays_one(owned: Clinic) -> None:
         ("POST", f"/people/{ada}/disable", None),
         ("PUT", f"/people/{ada}", {"role": "clinician"}),
     ):
-        assert "last owner who can sign in" in owned.refused(409, method, path, json=body)
+        assert "No other owner than" in owned.refused(409, method, path, json=body)
     accepted(owned, owned.good("POST", f"/people/{id_of(owned, 'Eve')}/link"))
     assert owned.good("PUT", f"/people/{ada}", json={"role": "clinician"})["role"] == "clinician"
 

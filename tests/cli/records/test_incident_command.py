@@ -151,10 +151,10 @@ def test_a_change_of_any_part_is_found(bodydrive: Any, settings: Settings, tmp_p
     with tarfile.open(tmp_path / "a.incident") as tar:
         places = {member.name: member.offset_data for member in tar}
     for name, sentence in (
-        ("log.jsonl", "log.jsonl in this archive was changed"),
-        ("manifest.json", "signature of this archive is wrong"),
-        ("manifest.sig", "signature of this archive is wrong"),
-        ("public-key.pem", "signature of this archive is wrong"),
+        ("log.jsonl", "log.jsonl in this incident file was changed"),
+        ("manifest.json", "signature of this incident file is wrong"),
+        ("manifest.sig", "signature of this incident file is wrong"),
+        ("public-key.pem", "signature of this incident file is wrong"),
     ):
         at = places[name] + 40
         (tmp_path / "b.incident").write_bytes(whole[:at] + bytes([whole[at] ^ 1]) + whole[at + 1 :])

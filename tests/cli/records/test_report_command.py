@@ -7,6 +7,7 @@ from cli.answers import assert_refused
 from features.reports.reported_clinic import CODE, store_reported_course
 from features.reports.words_of import html_page, pdf_pages
 
+from app.cli import main
 from app.features.consents.service import give_consent, withdraw_consent
 from app.store.database import Database
 from app.store.tables import LogEntry
@@ -41,13 +42,22 @@ def test_both_forms_are_written_and_stand_in_the_log(bodydrive, clinic, tmp_path
     assert log_of(clinic)[-2:] == [("command line", "report exported")] * 2
 
 
+def test_a_report_is_in_the_language_of_the_terminal(bodydrive, clinic, tmp_path, monkeypatch):
+    monkeypatch.setattr(main, "LANGUAGES", ("en", "es", "de"))
+    monkeypatch.setenv("LC_ALL", "es_ES.UTF-8")
+    for name, *options in (("own.html",), ("english.html", "--language", "en")):
+        assert bodydrive("report", CODE, *options, "--out", name, "--state", "clinic")[0] == 0
+    assert '<html lang="es">' in (tmp_path / "own.html").read_text(encoding="utf-8")
+    assert '<html lang="en">' in (tmp_path / "english.html").read_text(encoding="utf-8")
+
+
 @pytest.mark.parametrize(
     ("words", "sentence"),
     [
         (("P-9", "--out", "a.pdf"), "There is no patient with the code 'P-9': see the list of patients."),
         ((CODE, "--out", "a.docx"), "--out a.docx ends neither with .pdf nor with .html: give one of these."),
         ((CODE, "--session", "7", "--out", "a.pdf"), "This patient has no session 7: choose one that was opened."),
-        ((CODE, "--language", "xx", "--out", "a.pdf"), "--language xx: give one of en"),
+        ((CODE, "--language", "xx", "--out", "a.pdf"), "--language xx is not offered: give one of en"),
         ((CODE, "--out", "none/there/a.pdf"), None),
         ((CODE,), "Missing option '--out'"),
     ],

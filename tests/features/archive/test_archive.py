@@ -174,7 +174,7 @@ WRONG = {
     ),
     "another type": (
         {"patient": row_with("trial", number=True)},
-        r"row 1 of its table 'trial', 'number': should be a valid integer",
+        r"row 1 of its table 'trial', 'number' is wrong \(should be a valid integer\)",
     ),
     "another column": ({"patient": row_with("session", is_admin=1)}, "columns of its table 'session' are others"),
     "a hidden sign": ({"patient": row_with("patient", pseudonym="He\u202eron")}, "which nobody sees"),
@@ -184,12 +184,12 @@ WRONG = {
     ),
     "a workload beyond its scale": (
         {"patient": partial(with_test, workload={"mental": 101})},
-        r"'workload\.mental': should be less than or equal to 100",
+        r"'workload\.mental' is wrong \(should be less than or equal to 100\)",
     ),
     "a moment before all years": ({"patient": row_with("session", started="0001-01-01T00:00:00+14:00")}, "is no date"),
     "no profile": (
         {"patient": row_with("profile", document={})},
-        r"row 1 of its table 'profile', 'document\.created': Field required",
+        r"row 1 of its table 'profile', 'document\.created' is wrong \(Field required\)",
     ),
     "a long code": ({"patient": row_with("patient", code="x" * 65)}, "too long"),
     "a path as a run": ({"patient": path_as_run}, "wrong names"),

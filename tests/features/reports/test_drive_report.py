@@ -38,7 +38,7 @@ def test_a_session_names_each_drive_with_its_end(driven: Course) -> None:
     rows = compose(material_of(*driven, 2)).drives.rows
     assert [(row[0], row[1], *row[3:]) for row in rows] == [
         ("1", "Red [U+202E]chair", "1 min 1 s", "12.5 m", "ended by hand"),
-        ("2", "Red [U+202E]chair", "20 s", "3.2 m", "stopped by a fault"),
+        ("2", "Red [U+202E]chair", "20 s", "3.2 m", "ended by a stop or fault"),
         ("3", "Red [U+202E]chair", "5 s", "not reported by the chair", "ended by hand"),
     ]
 
@@ -74,7 +74,7 @@ def test_both_files_show_them(driven: Course) -> None:
     report = compose(material_of(*driven, 2))
     for content in (shown(report), render_html(report, "a4").decode()):
         assert "Drives of real chairs" in content
-        assert "stopped by a fault" in content
+        assert "ended by a stop or fault" in content
         assert "15.8" not in content  # no sum: each drive stands by itself
     without = compose(material_of(*driven, 1))
     assert "Drives of real chairs" not in render_html(without, "a4").decode()

@@ -8,6 +8,7 @@ from api.fake_clinic import Clinic
 from features.reports.reported_clinic import CODE, store_reported_course
 from features.reports.words_of import html_page, pdf_pages
 
+from app.api import request_language
 from app.features.consents.service import withdraw_consent
 from app.settings import Settings
 from app.store.log_chain import HeadFile
@@ -47,6 +48,14 @@ def test_the_course_is_an_html_file_on_letter_paper(reported: Any) -> None:
     assert b"@page { size: letter; }" in answer.content
 
 
+def test_a_report_is_in_the_language_of_the_request(reported: Any, monkeypatch: pytest.MonkeyPatch) -> None:
+    clinic, patient = reported
+    monkeypatch.setattr(request_language, "LANGUAGES", ("en", "es", "de"))
+    address, german = f"/patients/{patient}/report?form=html", {"accept-language": "de"}
+    assert b'<html lang="de">' in clinic("GET", address, headers=german).content
+    assert b'<html lang="en">' in clinic("GET", f"{address}&language=en", headers=german).content
+
+
 def test_what_is_not_there_is_said_in_a_sentence(reported: Any) -> None:
     clinic, patient = reported
     before = len(clinic.log())
@@ -77,8 +86,8 @@ def test_without_consent_to_sharing_only_a_copy_for_the_patient_is_made(reported
     answer = clinic("GET", f"/patients/{patient}/report", params={"form": "html"})
     assert (answer.status_code, answer.json()["detail"]) == (
         409,
-        f"{CODE} has not consented to sharing outside the clinic: ask, and enter the date on the page of consents. A "
-        "copy for the patient needs no consent.",
+        f"{CODE} has not consented to sharing outside the clinic: ask, and enter the date under "
+        "“Sessions and consents”. A copy for the patient needs no consent.",
     )
     assert len(clinic.log()) == before
     copy = clinic("GET", f"/patients/{patient}/report", params={"form": "html", "for_patient": True})

@@ -4,8 +4,10 @@
  * @import { App } from "../main.js"
  * @import { ConsentsView } from "types/api"
  */
+import { LANGUAGE } from "../language.js";
 import { h, write } from "../widgets/dom.js";
 import { field, selection } from "../widgets/fields.js";
+import { languageOptions } from "../widgets/language_choice.js";
 import { t } from "../texts.js";
 
 const PAPER_PLACE = "bodydrive-report-paper";
@@ -18,7 +20,7 @@ export function mayExport(app) {
 }
 
 /**
- * A choice of session, reader and paper with the two files; null without the right to export, or without a session.
+ * A choice of session, reader, paper and, where there are several, language, with the two files; null without the right to export, or without a session.
  * @param {App} app @param {{id: number, code: string, sessions: number}} patient sessions: how many there are
  * @param {number} [session] number of the session that is chosen at first; without: all
  */
@@ -32,6 +34,8 @@ export function reportChoice(app, patient, session) {
   }));
   /** @type {(typeof READERS)[number]} */
   let reader = "others";
+  /** @type {string} */
+  let language = LANGUAGE;
   /** @type {ConsentsView["consents"] | null} */
   let consents = null;
   const files = h(
@@ -47,7 +51,7 @@ export function reportChoice(app, patient, session) {
     write(words, consents && files.hidden ? t("report-consent", { code: patient.code }) : "");
     enter.hidden = !words.textContent;
     for (const { form, link } of links) {
-      link.setAttribute("href", reportAddress(patient.id, form, chosen, paper, reader));
+      link.setAttribute("href", reportAddress(patient.id, { form, session: chosen, paper, reader, language }));
       link.setAttribute("aria-label", t(`report-${form}-label`, { what: wordsOf(chosen), code: patient.code }));
     }
   };
@@ -67,6 +71,9 @@ export function reportChoice(app, patient, session) {
     reader,
     (value) => ((reader = value), draw()),
   );
+  const offered = app.me?.languages ?? [];
+  const languages =
+    offered.length > 1 && selection(languageOptions(offered), language, (value) => ((language = value), draw()));
   draw();
   app.toasts
     .attempt(() => app.api.get(`/patients/${patient.id}/consents`))
@@ -83,6 +90,7 @@ export function reportChoice(app, patient, session) {
       field(t("report-what"), sessions),
       field(t("report-reader"), readers),
       field(t("report-paper"), papers),
+      languages && field(t("language-title"), languages),
     ),
     h("p", { class: "spread" }, words, enter),
     h("p", { class: "spread" }, files),
@@ -99,14 +107,15 @@ export function reportCard(app, patient, session) {
   return choice && h("section", { class: "card" }, h("h2", {}, t("report-title")), choice);
 }
 
-/** @param {number} patient @param {string} form @param {string} chosen @param {string} paper @param {string} reader */
-function reportAddress(patient, form, chosen, paper, reader) {
+/** @param {number} patient @param {Record<"form" | "session" | "paper" | "reader" | "language", string>} chosen */
+function reportAddress(patient, { form, session, paper, reader, language }) {
   const query = new URLSearchParams({
     form,
     letter: String(paper === "letter"),
     for_patient: String(reader === "patient"),
+    language,
   });
-  if (chosen !== ALL) query.set("session", chosen);
+  if (session !== ALL) query.set("session", session);
   return `/api/v1/patients/${patient}/report?${query}`;
 }
 

@@ -37,7 +37,7 @@ def test_without_a_trial_the_stop_is_taken_back_and_nothing_is_continued(page, c
     clinic.fault(Fault.SHIRT_SILENT)
     go(page, clinic, "controls")
     strip = page.locator(".note")
-    expect(strip).to_contain_text("Check its battery and cable on the Shirt page. No trial and no drive runs")
+    expect(strip).to_contain_text("Check its battery and cable, and look at the Shirt page. No trial and no drive runs")
     expect(strip).not_to_contain_text("Continue")
     expect(strip.get_by_role("button", name="Take the stop back")).to_be_enabled()
 

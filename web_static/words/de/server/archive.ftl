@@ -11,7 +11,7 @@ archive-newer = { $file }: Dieses Archiv stammt von einer neueren Version von bo
 # $why: one of the clauses below.
 archive-wrong = { $file }: Dieses Archiv ist nicht lesbar ({ $why }). Nichts wurde importiert.
 archive-code-taken = Der Code „{ $code }“ gehört in dieser Klinik zu einem anderen Patienten. Nichts wurde importiert. Geben Sie jenem Patienten einen anderen Code, und importieren Sie dann noch einmal.
-archive-recordings-here = Aufzeichnungen dieses Archivs sind schon in dieser Klinik. Nichts wurde importiert. Der Patient dazu ist schon hier.
+archive-recordings-here = Aufzeichnungen dieses Archivs gehören in dieser Klinik zu einem anderen Patienten. Nichts wurde importiert. Suchen Sie ihn in der Liste der Patienten oder auf der Seite „{ rail-backup }“ unter „{ deleted-title }“.
 archive-patient-here = { $code } ist schon in dieser Klinik. Nichts wurde importiert. Ersetzen Sie den Patienten, oder lassen Sie alles, wie es ist.
 archive-session-open = Eine Sitzung von { $code } ist hier offen. Nichts wurde importiert. Beenden Sie die Sitzung, und importieren Sie dann noch einmal.
 # $made: a date.
@@ -30,7 +30,7 @@ archive-recording-unnamed = eine Aufzeichnung darin wird in keiner Zeile genannt
 archive-recording-channels = die Aufzeichnung „{ $recording }“ hat andere Kanäle als ihr Layout
 archive-recording-gestures = die Aufzeichnung „{ $recording }“ hat andere Gesten, als sie nennt
 # $problem: archive-field.
-archive-recording-field = die Aufzeichnung „{ $recording }“, { $problem }
+archive-recording-field = in der Aufzeichnung „{ $recording }“: { $problem }
 archive-recording-unreadable = die Aufzeichnung „{ $recording }“ ist nicht lesbar
 archive-comment-without-author = bei einem Kommentar darin fehlt, wer ihn geschrieben hat
 archive-other-tables = seine Tabellen sind nicht die erwarteten
@@ -40,9 +40,9 @@ archive-one-patient = es enthält nicht genau einen Patienten
 archive-session-not-ended = eine Sitzung darin ist nicht beendet
 archive-row-contradicts = Zeile { $row } seiner Tabelle „{ $table }“ widerspricht einer anderen
 # $problem: archive-field.
-archive-row-field = Zeile { $row } seiner Tabelle „{ $table }“, { $problem }
+archive-row-field = in Zeile { $row } seiner Tabelle „{ $table }“: { $problem }
 # $problem: archive-date, another text without a full stop, or what a library says, in English.
-archive-field = „{ $field }“: { $problem }
+archive-field = „{ $field }“ ist falsch: { $problem }
 archive-date = dies ist kein Datum zwischen 1970 und 2200
 archive-value-empty = Zeile { $row } seiner Tabelle „{ $table }“, Spalte „{ $column }“, ist leer
 archive-value-type = Zeile { $row } seiner Tabelle „{ $table }“, Spalte „{ $column }“, hat einen anderen Datentyp
@@ -52,5 +52,5 @@ archive-value-refers = Zeile { $row } seiner Tabelle „{ $table }“, Spalte �
 archive-value-date = Zeile { $row } seiner Tabelle „{ $table }“, Spalte „{ $column }“, ist kein Datum
 archive-map-from = Zeile { $row } seiner Tabelle „profile“ stammt von einer Version, die fehlt
 archive-map-back = Zeile { $row } seiner Tabelle „profile“ nennt nicht die Version, die sie wiederherstellt
-archive-controls-map = Zeile { $row } seiner Tabelle „parameters“, „profile_id“: verweist auf eine Zeile, die fehlt
-archive-controls-current = Zeile { $row } seiner Tabelle „parameters“, „current“: ein anderes Set der Steuerung ist das aktuelle
+archive-controls-map = Zeile { $row } seiner Tabelle „parameters“, „profile_id“, verweist auf eine Zeile, die fehlt
+archive-controls-current = in Zeile { $row } seiner Tabelle „parameters“ ist „current“ falsch: ein anderes Set der Steuerung ist das aktuelle

@@ -15,7 +15,7 @@ backups-folder-not-writable = In den Ordner { $folder } kann nicht geschrieben w
 backups-header-missing = { $folder } enthält Backups, aber die Datei { $file } fehlt darin. Wählen Sie einen anderen Ordner.
 backups-header-unreadable = { $folder } ist kein Backup-Ordner: Die Datei { $file } darin ist nicht lesbar.
 backups-of-other-clinic = { $folder } enthält die Backups einer anderen Klinik. Wählen Sie für diese Klinik einen eigenen Ordner.
-backups-of-other-passphrase = { $folder } enthält Backups mit einer anderen Passphrase oder ohne eine. Geben Sie jene an, oder wählen Sie einen leeren Ordner.
+backups-of-other-passphrase = { $folder } enthält Backups mit einer anderen Passphrase oder ohne eine. Verwenden Sie, womit dieser Ordner angelegt wurde, oder wählen Sie einen leeren Ordner.
 
 backups-passphrase-short = Geben Sie eine Passphrase mit mindestens 8 Zeichen an.
 backups-wrong-passphrase = Die Passphrase ist falsch, oder die Datei wurde verändert. Geben Sie die Passphrase an, mit der die Datei erstellt wurde.
@@ -59,6 +59,6 @@ backups-other-version = Eine andere Version von bodydrive hat dieses Backup erst
 backups-not-empty = { $folder } ist nicht leer, darin liegt { $found }. Stellen Sie in einem leeren Ordner wieder her. Von einer früheren Klinik darf nur { $kept } bleiben.
 backups-restored-unequal = { $file } ist nicht gleich dem, was gesichert wurde. Nehmen Sie ein anderes Backup oder einen anderen Datenträger.
 
-backups-incident-other-key = Ein anderer als der angegebene Schlüssel hat dieses Archiv signiert. Fragen Sie, woher es stammt.
-backups-incident-wrong-signature = Die Signatur dieses Archivs ist falsch: Es wurde nach dem Erstellen verändert.
-backups-incident-changed = { $file } in diesem Archiv wurde verändert oder fehlt.
+backups-incident-other-key = Ein anderer als der angegebene Schlüssel hat diese Vorkommnis-Datei signiert. Fragen Sie, woher sie stammt.
+backups-incident-wrong-signature = Die Signatur dieser Vorkommnis-Datei ist falsch: Sie wurde nach dem Erstellen verändert.
+backups-incident-changed = { $file } in dieser Vorkommnis-Datei wurde verändert oder fehlt.

@@ -13,7 +13,7 @@ cli-out-was-read = --out { $file } ist eine Datei, die hierfür gelesen wurde: W
 cli-out-unwritable = --out { $file } kann nicht geschrieben werden ({ $reason }): Wählen Sie einen anderen Ort
 cli-out-no-folder = --out { $folder }: { $file } ist eine Datei und kein Ordner, wählen Sie einen anderen Ort
 cli-out-forbidden = --out { $folder }: in { $parent } darf nichts geschrieben werden, wählen Sie einen anderen Ort
-cli-out-no-file = --out { $file } ist keine gewöhnliche Datei. Wählen Sie einen anderen Ort.
+cli-out-no-file = --out { $file } ist keine gewöhnliche Datei: Wählen Sie einen anderen Ort
 cli-file-written = { $file } ist geschrieben.
 cli-source = Quelle: { $source }
 cli-no-clinic = In { $folder } gibt es keine Klinik. Geben Sie ihren Ordner mit --state an.
@@ -96,7 +96,7 @@ cli-name-unusable = Dieser Name ist nicht verwendbar. Geben Sie 1 bis 80 sichtba
 cli-no-patient-option = --patient { $code }: Einen Patienten mit diesem Code gibt es nicht, siehe Seite „Patienten“.
 cli-person-is-disabled = { $name } ist gesperrt. Offene Seiten dieser Person enden innerhalb von 5 Sekunden.
 cli-person-is-enabled = { $name } kann sich wieder anmelden, mit dem bisherigen Passwort.
-# The link follows. $time is such as 2026-05-01 14:30
+# The link follows. $time is a day with a time of day.
 cli-invitation = Mit diesem Link wählt { $name } ein Passwort, einmal, bis { $time }:
 cli-not-running = Das Programm läuft jetzt nicht. Starten Sie es mit `bodydrive serve`, und öffnen Sie dann den Link unter seiner Adresse.
 
@@ -151,12 +151,12 @@ cli-replay-failed = --to { $to }: dorthin lässt sich nichts senden ({ $reason }
 cli-replay-stopped = Gestoppt. Gesendete Datenpakete: { $frames }.
 cli-replay-ended = Die Aufzeichnung ist zu Ende. Gesendete Datenpakete: { $frames }.
 cli-replay-address = --to { $to }: schreiben Sie einen Rechner und einen Port, zum Beispiel { $example }
-cli-replay-no-host = --to { $to }: einen Rechner mit diesem Namen gibt es nicht, berichtigen Sie ihn
+cli-replay-no-host = --to { $to }: einen Rechner mit diesem Namen gibt es nicht, korrigieren Sie ihn
 
 ## score
 
 cli-score-radius = --goal-radius { $radius }: geben Sie Meter an, mehr als 0 und höchstens { $most }
-cli-score-places = { $file }: x und y müssen Meter sein, höchstens { $most } von 0 entfernt, berichtigen Sie sie
+cli-score-places = { $file }: x und y müssen Meter sein, höchstens { $most } von 0 entfernt, korrigieren Sie sie
 cli-score-too-long = { $file }: dauert { $seconds } s, mehr als einen Tag, geben Sie t in Sekunden an, für einen Durchgang
 cli-score-rows = { $file }: die Zeilen liegen meist { $seconds } s auseinander, geben Sie t in Sekunden an, nicht in Millisekunden
 cli-score-speed = { $file }: die mittlere Geschwindigkeit ist { $speed } m/s, geben Sie x und y in Metern an und t in Sekunden
@@ -168,7 +168,7 @@ cli-study-seeds = --seed { $seed } lässt keinen Platz für --seeds { $seeds }: 
 cli-study-learning = --no-learning geht nur ohne --adapt: Über mehrere Sitzungen wird die Person mit --person gewählt
 cli-study-interface = --interface-test geht nur ohne --adapt und ohne --no-learning: Wählen Sie eines davon
 cli-study-map = --map { $map } geht nur mit --adapt: Geben Sie an, wie sich die Kalibrierung anpasst, oder lassen Sie es weg
-cli-study-path = --path { $path }: hat keine Linie zum Vergleichen, wählen Sie eine Strecke, der man entlangfährt
+cli-study-path = --path { $path }: hat keine Linie, von der aus gemessen wird, wählen Sie eine Strecke, der man entlangfährt
 cli-study-foreign = --out { $folder } enthält „{ $file }“, das zu keiner Studie gehört: Geben Sie einen neuen oder leeren Ordner an
 # $names are names of floor plans, with commas between them
 cli-study-no-plan = --floorplan „{ $plan }“: einen solchen Grundriss gibt es nicht, verwenden Sie { $names } oder eine JSON-Datei
@@ -229,7 +229,7 @@ cli-at-least = { $figure } (min. { $least })
 cli-at-most = { $figure } (max. { $most })
 # An expected figure with its standard deviation.
 cli-forecast = { $value } ± { $uncertainty }
-cli-calibrate-clear-means = Klar: Anteil der Hauptbewegung. Bereich: der vollen Bewegung, in der Einheit der Signale.
+cli-calibrate-clear-means = Klar: Anteil des Signals, der in der Hauptbewegung liegt. Bereich: der vollen Bewegung, in der Einheit der Signale.
 cli-calibrate-expected-means = Erkannt von 100: Bewegungen, die voraussichtlich die halbe volle Wirkung erreichen. In Ruhe pro Minute: wie oft die Geste voraussichtlich auslöst.
 # $reason has no full stop
 cli-channel-left-out = Kanal { $channel } wird ausgelassen: { $reason }.
@@ -329,7 +329,7 @@ cli-prior-merged =
     }
 cli-prior-released = { $people } Personen in { $out }
 # $names are codes of people, or names of joints, with commas between them
-cli-prior-left-out = Nicht enthalten, weil weniger als acht Personen noch in keiner Fassung zur Weitergabe sind: { $names }
+cli-prior-left-out = Nicht enthalten sind Gelenke, bei denen weniger als acht Personen noch in keiner Fassung zur Weitergabe sind: { $names }
 cli-prior-exported =
     { $people ->
         [one] { $people } Person in { $out }, mit eigenem Eintrag. Die Datei darf die Klinik nicht verlassen.
@@ -342,14 +342,14 @@ cli-prior-sums =
     }
 cli-prior-sums-without =
     { $people ->
-        [one] { $people } Person in { $out }: nur Summen. Die Datei darf die Klinik verlassen. Nicht enthalten, weil weniger als acht Personen noch in keiner Fassung zur Weitergabe sind: { $names }.
-       *[other] { $people } Personen in { $out }: nur Summen. Die Datei darf die Klinik verlassen. Nicht enthalten, weil weniger als acht Personen noch in keiner Fassung zur Weitergabe sind: { $names }.
+        [one] { $people } Person in { $out }: nur Summen. Die Datei darf die Klinik verlassen. Nicht enthalten sind Gelenke, bei denen weniger als acht Personen noch in keiner Fassung zur Weitergabe sind: { $names }.
+       *[other] { $people } Personen in { $out }: nur Summen. Die Datei darf die Klinik verlassen. Nicht enthalten sind Gelenke, bei denen weniger als acht Personen noch in keiner Fassung zur Weitergabe sind: { $names }.
     }
 cli-prior-import-release = { $prior } ist eine Fassung zur Weitergabe, mit Summen und ohne Einträge von Personen: Verwenden Sie sie mit `calibrate --prior`, und importieren Sie die eigene Starthilfe der Klinik
 cli-prior-switched-off = In der Klinik ist die Starthilfe für neue Patienten ausgeschaltet: siehe „Einstellungen“
 cli-prior-no-patient = { $prior }: einen Patienten „{ $code }“ gibt es in der Klinik nicht; niemand wurde importiert
 # In quotation marks: a consent, as the page of the patient calls it.
-cli-prior-no-consent = { $prior }: der Patient „{ $code }“ hat in „Verwendung für andere Patienten der Klinik“ nicht eingewilligt; niemand wurde importiert
+cli-prior-no-consent = { $prior }: der Patient „{ $code }“ hat in „{ consent-clinic-prior }“ nicht eingewilligt; niemand wurde importiert
 cli-prior-imported =
     { $people ->
         [one] { $people } Person aus { $prior } importiert
@@ -357,17 +357,17 @@ cli-prior-imported =
     }
 cli-prior-nobody-shares =
     { $people ->
-        [one] In „{ $layout }“ ist { $people } Person bekannt, sie hat in „Weitergabe nach außen“ nicht eingewilligt: Fragen Sie sie, und tragen Sie die Einwilligung auf der Seite des Patienten ein
-       *[other] In „{ $layout }“ sind { $people } Personen bekannt, keine hat in „Weitergabe nach außen“ eingewilligt: Fragen Sie sie, und tragen Sie die Einwilligung auf der Seite des Patienten ein
+        [one] In „{ $layout }“ ist { $people } Person bekannt, sie hat in „{ consent-sharing }“ nicht eingewilligt: Fragen Sie sie, und tragen Sie die Einwilligung auf der Seite des Patienten ein
+       *[other] In „{ $layout }“ sind { $people } Personen bekannt, keine hat in „{ consent-sharing }“ eingewilligt: Fragen Sie sie, und tragen Sie die Einwilligung auf der Seite des Patienten ein
     }
-cli-prior-nobody-known = In „{ $layout }“ ist niemand bekannt: Kalibrieren Sie darin Patienten, die in „Verwendung für andere Patienten der Klinik“ eingewilligt haben
+cli-prior-nobody-known = In „{ $layout }“ ist niemand bekannt: Kalibrieren Sie darin Patienten, die in „{ consent-clinic-prior }“ eingewilligt haben
 cli-prior-code = Der Code eines Patienten hat Zeichen, die in einer Starthilfe nicht stehen können: Verwenden Sie nur Buchstaben, Ziffern, Punkte und Bindestriche
-cli-prior-no-release = Von denen, die in „Weitergabe nach außen“ eingewilligt haben: { $problem }
+cli-prior-no-release = Von denen, die in „{ consent-sharing }“ eingewilligt haben: { $problem }
 cli-prior-was-read = { $file } ist eine Datei, die hierfür gelesen wurde: Geben Sie der Starthilfe einen anderen Namen
 cli-prior-unwritable = { $file } kann nicht geschrieben werden ({ $reason }): Wählen Sie einen anderen Ort
 cli-prior-person = --person { $person }: geben Sie 1 bis 64 Buchstaben, Ziffern, Punkte oder Bindestriche an
 
-## backup and restore. $time is such as 2026-05-01T14:30
+## backup and restore. $time is a day with a time of day.
 
 cli-backup-made =
     { $name }: { $files } Dateien, { $size } MB, { $keys ->
@@ -410,9 +410,9 @@ cli-archive-made = { $file } ist geschrieben. Der Hashwert ist { $hash }.
 cli-archive-imported = Patient { $code } ist importiert. Sitzungen: { $sessions }. Beendete Durchgänge, die zählen: { $trials }.
 cli-archive-replaced = Patient { $code } ist ersetzt. Sitzungen: { $sessions }. Beendete Durchgänge, die zählen: { $trials }. Der frühere Stand wird 30 Tage in { $file } aufbewahrt.
 cli-archive-again = Patient { $code } wurde schon früher aus diesem Archiv importiert. Nichts wurde geändert.
-cli-incident-key = --public-key gehört zu --check. Lassen Sie es weg, oder prüfen Sie ein Archiv.
+cli-incident-key = --public-key gehört zu --check. Lassen Sie es weg, oder prüfen Sie eine Vorkommnis-Datei.
 cli-incident-no-folder = Es gibt keinen Ordner { $folder }. Legen Sie ihn an, oder wählen Sie einen anderen Ort.
-# $start and $end are such as 2026-05-01T14:30
+# $start and $end are days with a time of day.
 cli-incident-right = { $name }: Dateien: { $files }, Aufzeichnungen: { $recordings }, von { $start } bis { $end } UTC. Jeder Hashwert und die Signatur stimmen.
 cli-incident-hash = Hashwert des Manifests: { $hash }
 cli-incident-fingerprint = Fingerabdruck des Schlüssels: { $fingerprint }

@@ -16,5 +16,5 @@ exports-bids-readme =
 exports-method-test = Zwei-Minuten-Test: Ziele auf einem Kreuz, mit einem Punkt erreicht, während sich kein Rollstuhl bewegt
 # How a measure was taken: the title of the floor plan, and the name of the path on it.
 exports-method-trial = { $plan }, Strecke { $path }
-exports-note-trial = { $source }. Sitzung { $session }, Durchgang { $number }. Version der Kalibrierung { $version }, Fingerabdruck des Sets { $hash }.
-exports-note-test = { $source }. Sitzung { $session }, Zwei-Minuten-Test { $number }. Version der Kalibrierung { $version }, Fingerabdruck des Sets { $hash }.
+exports-note-trial = { $source }. Sitzung { $session }, Durchgang { $number }. Version der Kalibrierung { $version }, Fingerabdruck der Steuerung { $hash }.
+exports-note-test = { $source }. Sitzung { $session }, Zwei-Minuten-Test { $number }. Version der Kalibrierung { $version }, Fingerabdruck der Steuerung { $hash }.

@@ -85,7 +85,7 @@ fault-chair-not-ready-remedy = Sehen Sie auf der Seite „Echter Rollstuhl“ na
 fault-chair-not-ready-patient = Der Rollstuhl war nicht rechtzeitig bereit.
 
 fault-shirt-rate = Das Shirt sendet mehr oder weniger Datenpakete pro Sekunde als eingestellt.
-fault-shirt-rate-remedy = Stellen Sie auf der Seite „Shirt“ den Wert „Datenpakete pro Sekunde“ richtig ein, und kalibrieren Sie neu.
+fault-shirt-rate-remedy = Stellen Sie auf der Seite „Shirt“ den Wert „{ shirtdev-rate }“ richtig ein, und kalibrieren Sie neu.
 fault-shirt-rate-patient = Das Shirt muss neu eingestellt werden.
 
 fault-no-movement = Die Signale änderten sich, wie sich kein Körper bewegt: in Sprüngen, so gleichmäßig wie eine Maschine oder in allen Gelenken gleich.

@@ -7,7 +7,7 @@ headdev-tablet-silent = Kein Tablet meldet seine Richtung. Öffnen Sie dort die 
 headdev-tablet = Das Tablet meldet seine Richtung.
 headdev-recorded-rests = Der aufgezeichnete Kopf { $file } wird nicht abgespielt.
 headdev-recorded-plays = Der aufgezeichnete Kopf { $file } wird abgespielt.
-headdev-recorded-short = { $file }: ein aufgezeichneter Kopf braucht { $least } s und steigende Zeiten; zeichnen Sie ihn neu auf
+headdev-recorded-short = { $file }: ein aufgezeichneter Kopf braucht mindestens { $least } s und steigende Zeiten; zeichnen Sie ihn neu auf
 
 # $tracker is opentrack or FreePIE, $place the address HOST:PORT on this machine.
 headdev-udp-failed =

@@ -9,7 +9,7 @@ host-lateness-bad = Takte der Regelschleife, die mehr als { $limit } ms zu spät
 host-disk-good = Auf dem Datenträger sind { $free } GB frei.
 host-disk-attention = Auf dem Datenträger sind { $free } GB frei. Schaffen Sie bald Platz.
 host-disk-bad = Auf dem Datenträger sind { $free } GB frei. Es kann nichts aufgezeichnet werden. Schaffen Sie Platz.
-# $time is such as 2026-05-01 14:30
+# $time is a day with a time of day.
 host-clock = Die Uhr zeigt { $time } UTC.
 host-clock-early = Die Uhr zeigt { $time } UTC, aber das Programm wurde später installiert. Stellen Sie die Uhr.
 host-clock-kept = Die Uhr zeigt { $time } UTC, und ein Zeitserver hält sie richtig.
@@ -28,7 +28,7 @@ host-summary-good = Dieser Rechner ist zum Fahren gut genug.
 host-summary-attention = Dieser Rechner ist zum Fahren gut genug, und etwas könnte besser sein.
 host-summary-bad = Dieser Rechner ist so zum Fahren nicht gut genug.
 
-## Certificates: files and the days on which they begin or end, such as 2026-05-01
+## Certificates: files and the days on which they begin or end
 
 host-authority-made = Für diese Klinik wurde eine Zertifizierungsstelle erstellt. Sie wird auf jedem Tablet einmal installiert, wie die Seite unten erklärt.
 host-authority-replaced = Die Zertifizierungsstelle der Klinik wurde ersetzt. Jedes Tablet braucht die neue, wie die Seite unten erklärt. Die alte lässt sich dort entfernen.
@@ -55,5 +55,5 @@ host-service-unwritable = { $file } kann nicht geschrieben werden ({ $why }). Mi
 host-service-refused = { $file } ist geschrieben, aber systemd hat die Datei nicht angenommen ({ $why }). Beheben Sie das, und versuchen Sie es dann noch einmal.
 # Stands in brackets when systemd gives no reason.
 host-service-exit-code = Exit-Code { $code }
-host-service-installed = { $file } ist installiert und gestartet: „{ $command }“.
+host-service-installed = { $file } ist installiert und gestartet; „{ $command }“ zeigt den Zustand.
 host-service-starts-at-sign-in = Der Dienst startet, wenn Sie sich anmelden. Mit „loginctl enable-linger“ startet er mit dem Rechner.

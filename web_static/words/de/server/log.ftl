@@ -18,13 +18,13 @@ logs-head-begun = Ob neueste Zeilen entfernt wurden, zeigt sich ab Zeile { $row 
 logs-sentences = { $first } { $second }
 logs-empty = Das Protokoll ist leer.
 # $row: the number of a row.
-logs-row-changed = Das Protokoll wurde verändert: Zeile { $row } wurde geändert, verschoben oder eingefügt, oder Zeilen davor wurden entfernt. Archivieren Sie den Stand dieses Rechners mit `bodydrive incident FILE`, und vergleichen Sie das Protokoll mit dem eines Backups.
+logs-row-changed = Das Protokoll wurde verändert: Zeile { $row } wurde geändert, verschoben oder eingefügt, oder Zeilen davor wurden entfernt. Archivieren Sie den Stand dieses Rechners mit „bodydrive incident FILE“, und vergleichen Sie das Protokoll mit dem eines Backups.
 # $left, $rows: how many.
-logs-newest-removed = Das Protokoll wurde verändert: Die neuesten Zeilen wurden entfernt, vorhanden: { $left } von { $rows }. Archivieren Sie den Stand dieses Rechners mit `bodydrive incident FILE`, und vergleichen Sie das Protokoll mit dem eines Backups.
+logs-newest-removed = Das Protokoll wurde verändert: Die neuesten Zeilen wurden entfernt, vorhanden: { $left } von { $rows }. Archivieren Sie den Stand dieses Rechners mit „bodydrive incident FILE“, und vergleichen Sie das Protokoll mit dem eines Backups.
 # $rows: how many.
 logs-rows-exchanged =
     { $rows ->
-        [one] Das Protokoll wurde verändert: Die erste Zeile ist nicht die, die geschrieben wurde. Archivieren Sie den Stand dieses Rechners mit `bodydrive incident FILE`, und vergleichen Sie das Protokoll mit dem eines Backups.
-       *[other] Das Protokoll wurde verändert: Die ersten { $rows } Zeilen sind nicht die, die geschrieben wurden. Archivieren Sie den Stand dieses Rechners mit `bodydrive incident FILE`, und vergleichen Sie das Protokoll mit dem eines Backups.
+        [one] Das Protokoll wurde verändert: Die erste Zeile ist nicht die, die geschrieben wurde. Archivieren Sie den Stand dieses Rechners mit „bodydrive incident FILE“, und vergleichen Sie das Protokoll mit dem eines Backups.
+       *[other] Das Protokoll wurde verändert: Die ersten { $rows } Zeilen sind nicht die, die geschrieben wurden. Archivieren Sie den Stand dieses Rechners mit „bodydrive incident FILE“, und vergleichen Sie das Protokoll mit dem eines Backups.
     }
-logs-head-missing = Die Kopfdatei des Protokolls neben der Datenbank fehlt: Am Ende des Protokolls könnten Zeilen entfernt worden sein. Archivieren Sie den Stand dieses Rechners mit `bodydrive incident FILE`, und vergleichen Sie das Protokoll mit dem eines Backups.
+logs-head-missing = Die Kopfdatei des Protokolls neben der Datenbank fehlt: Am Ende des Protokolls könnten Zeilen entfernt worden sein. Archivieren Sie den Stand dieses Rechners mit „bodydrive incident FILE“, und vergleichen Sie das Protokoll mit dem eines Backups.

@@ -15,8 +15,8 @@ plan-the-import = Import
 
 ## Floor plans
 
-plan-path-not-finite = ein Punkt der Strecke ist keine endliche Zahl; korrigieren Sie ihn
-plan-path-too-short = eine Strecke braucht mindestens zwei verschiedene Punkte; ergänzen Sie einen
+plan-path-not-finite = ein Punkt der Linie ist keine endliche Zahl; korrigieren Sie ihn
+plan-path-too-short = eine Linie braucht mindestens zwei verschiedene Punkte; ergänzen Sie einen
 plan-path-twice = die Strecke „{ $path }“ kommt zweimal vor; geben Sie jeder einen eigenen Namen
 plan-path-unknown = der Grundriss „{ $plan }“ hat keine Strecke „{ $path }“; verwenden Sie eine von diesen: { $names }
 plan-mover-twice = das bewegte Objekt „{ $mover }“ kommt zweimal vor; geben Sie jedem einen eigenen Namen
@@ -69,7 +69,14 @@ plan-wall-pieces =
        *[other] { NUMBER($count, useGrouping: 1) } Wandstücke.
     }
 
-## Import of drawings (DXF). A unit is mm, cm, m, inch or foot.
+## Import of drawings (DXF). $unit: a text plan-unit; $units: mm, cm, m, inch, foot.
+
+plan-unit =
+    { $unit ->
+        [inch] Zoll
+        [foot] Fuß
+       *[other] { $unit }
+    }
 
 plan-drawing-empty = { $file }: in dieser Zeichnung gibt es (auf den gewählten Ebenen) keine Linien; wählen Sie andere Ebenen
 plan-drawing-walls-too-many = { $file }: diese Zeichnung hat { NUMBER($count, useGrouping: 1) } Wandstücke, höchstens { NUMBER($most, useGrouping: 1) } sind möglich; wählen Sie weniger Ebenen
@@ -136,10 +143,10 @@ plan-drawing-far = { $file }: auf der Ebene „{ $layer }“ liegt etwas sehr we
 
 ## Import of pictures
 
-plan-picture-threshold = { $file }: der Schwellenwert muss zwischen 0 (schwarz) und 1 (weiß) liegen; korrigieren Sie ihn
+plan-picture-threshold = { $file }: der Schwellenwert („{ import-threshold }“) muss zwischen 0 (schwarz) und 1 (weiß) liegen; korrigieren Sie ihn
 plan-picture-without-scale = { $file }: ein Bild hat keinen Maßstab; geben Sie entweder Meter pro Pixel oder die Breite in m an
 plan-picture-size = { $file }: mit diesem Maßstab ist das Bild { $width } × { $height } m groß; korrigieren Sie ihn
-plan-picture-dark = { $file }: nichts in diesem Bild ist so hell wie der Schwellenwert; senken Sie ihn
+plan-picture-dark = { $file }: nichts in diesem Bild ist so hell wie der Schwellenwert („{ import-threshold }“); senken Sie ihn
 plan-picture-coarse = { $file }: eine Zelle wäre { $size } m groß, und Türöffnungen gingen verloren; nehmen Sie einen kleineren Ausschnitt
 plan-picture-large = { $file }: das ist größer als { $most } MB; verringern Sie die Auflösung
 plan-picture-pixels = { $file }: dieses Bild hat mehr als { NUMBER($most, useGrouping: 1) } Pixel; verringern Sie die Auflösung
@@ -151,8 +158,8 @@ plan-picture-unreadable = { $file }: dieses Bild lässt sich nicht lesen ({ $rea
 
 plan-map-no-building =
     { $noun ->
-        [map] { $file }: alles Freie in dieser Karte ist mit ihrem Rand verbunden, so dass kein Gebäude zu erkennen ist; verwenden Sie auch das Äußere (--outside)
-       *[picture] { $file }: alles Freie in diesem Bild ist mit seinem Rand verbunden, so dass kein Gebäude zu erkennen ist; verwenden Sie auch das Äußere (--outside)
+        [map] { $file }: alles Freie in dieser Karte ist mit ihrem Rand verbunden, so dass kein Gebäude zu erkennen ist; wählen Sie „{ import-outside }“ (--outside)
+       *[picture] { $file }: alles Freie in diesem Bild ist mit seinem Rand verbunden, so dass kein Gebäude zu erkennen ist; wählen Sie „{ import-outside }“ (--outside)
     }
 plan-map-walls-too-many =
     { $noun ->
@@ -162,7 +169,7 @@ plan-map-walls-too-many =
 plan-map-too-narrow =
     { $noun ->
         [map] { $file }: ein Rollstuhl passt in dieser Karte nirgends hinein; prüfen Sie ihre Auflösung und ihre Schwellenwerte
-       *[picture] { $file }: ein Rollstuhl passt in diesem Bild nirgends hinein; prüfen Sie seinen Maßstab und den Schwellenwert
+       *[picture] { $file }: ein Rollstuhl passt in diesem Bild nirgends hinein; prüfen Sie seinen Maßstab und den Schwellenwert („{ import-threshold }“)
     }
 plan-map-size =
     { $noun ->

@@ -4,7 +4,7 @@
 
 report-no-session-yet = Dieser Patient hat noch keine Sitzung. Starten Sie zuerst eine, und erstellen Sie dann den Bericht.
 report-no-session = Dieser Patient hat keine Sitzung { $session }. Wählen Sie eine, die begonnen wurde.
-report-no-language = --language { $language }: Zur Wahl stehen { $languages }.
+report-no-language = --language { $language } wird nicht angeboten. Zur Wahl stehen: { $languages }.
 # $refusal is a sentence: the patient has not consented to sharing outside the clinic.
 report-needs-consent = { $refusal } Eine Kopie für den Patienten braucht keine Einwilligung.
 
@@ -110,7 +110,7 @@ report-sessions-session = Sitzung
 report-sessions-date = Datum
 report-sessions-opened = Begonnen von
 report-sessions-trials = Durchgänge
-report-sessions-discarded = Verworfen
+report-sessions-discarded = Zählen nicht
 report-sessions-signed = Abgezeichnet von
 report-scales-scale = Assessment
 report-scales-total = Gesamtwert

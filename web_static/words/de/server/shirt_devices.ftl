@@ -46,7 +46,7 @@ shirtdev-simulator-empty = Simuliertes Shirt, { $sensors } Sensoren mit { $rate 
 shirtdev-simulator = Simuliertes Shirt, { $sensors } Sensoren mit { $rate } Hz, mit einem simulierten Körper darin.
 
 shirtdev-replay-closed = Die Wiedergabe ist geschlossen.
-shirtdev-replay-ended = Die Wiedergabe von { $file } ist zu Ende. Starten Sie sie noch einmal, oder lassen Sie sie am Ende von vorn beginnen.
+shirtdev-replay-ended = Die Wiedergabe von { $file } ist zu Ende. Starten Sie sie noch einmal, oder wählen Sie „{ shirtdev-replay-loop }“.
 # $note is a further sentence: what was mended, or is missing, in the times of the file.
 shirtdev-replay =
     Wiedergabe von { $file }, { $sensors } Sensoren mit { $rate } Hz, { $played } s von { $length } s.{ $note ->
@@ -62,8 +62,15 @@ shirtdev-recording-short =
        *[other] { $frames } Datenpakete
     } eines Shirts; nennen Sie eine längere
 shirtdev-recording-times = { $folder }: die Zeiten dieser Aufzeichnung steigen nicht; nennen Sie eine andere
-shirtdev-recording-channels = { $folder }: diese Aufzeichnung hat { $channels } Kanäle und ihr Layout { $named }; nennen Sie eine andere
+shirtdev-recording-channels =
+    { $folder }: diese Aufzeichnung hat { $channels ->
+        [one] { $channels } Kanal
+       *[other] { $channels } Kanäle
+    } und ihr Layout { $named }; nennen Sie eine andere
 shirtdev-recording-rate = { $folder }: in dieser Aufzeichnung steht nicht, mit welcher Abtastrate sie entstand; nennen Sie eine andere
+# The place of a problem, in front of a colon or comma and the problem.
+shirtdev-file-columns = { $file }: seine Spalten ergeben kein Layout
+shirtdev-recording-layout = { $folder }: das Layout des Shirts in dieser Aufzeichnung
 
 # $problem is a message device-key-...
 shirtdev-not-opened = das Shirt lässt sich nicht verwenden: { $problem }

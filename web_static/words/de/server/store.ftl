@@ -16,27 +16,27 @@ store-no-deleted-plan = Es gibt keinen gelöschten Grundriss „{ $name }“. Se
 store-no-replaced-file = Eine solche ersetzte Datei gibt es nicht, oder ihre 30 Tage sind vorbei. Sehen Sie in der Liste nach.
 
 store-code-taken = Der Code „{ $code }“ gehört schon zu { $pseudonym }. Wählen Sie einen anderen Code.
-store-code-deleted = Der Code „{ $code }“ gehört zu einem gelöschten Patienten. Wählen Sie einen anderen Code, oder machen Sie das Löschen von Patient { $patient } rückgängig.
+store-code-deleted = Der Code „{ $code }“ gehört zu einem gelöschten Patienten. Wählen Sie einen anderen Code, oder lassen Sie eine verantwortliche Person das Löschen auf der Seite „{ rail-backup }“ rückgängig machen.
 store-patient-here = Eine Sitzung von { $pseudonym } ist offen. Beenden Sie sie zuerst, und löschen Sie dann den Patienten.
 # $time: a time of day.
 store-session-open =
     { $trials ->
-        [one] Eine Sitzung von { $code } ist offen: begonnen um { $time }, { $trials } Durchgang. Beenden Sie sie zuerst, oder bestätigen Sie, dass diese neue Sitzung sie beendet.
-       *[other] Eine Sitzung von { $code } ist offen: begonnen um { $time }, { $trials } Durchgänge. Beenden Sie sie zuerst, oder bestätigen Sie, dass diese neue Sitzung sie beendet.
+        [one] Eine Sitzung von { $code } ist offen: begonnen um { $time }, { $trials } Durchgang. Beenden Sie sie zuerst, oder bestätigen Sie, dass die neue Sitzung sie beendet.
+       *[other] Eine Sitzung von { $code } ist offen: begonnen um { $time }, { $trials } Durchgänge. Beenden Sie sie zuerst, oder bestätigen Sie, dass die neue Sitzung sie beendet.
     }
 # $person: the name of the person who began the session. $time: a time of day.
 store-session-open-by =
     { $trials ->
-        [one] Eine Sitzung von { $code } ist offen: begonnen von { $person } um { $time }, { $trials } Durchgang. Beenden Sie sie zuerst, oder bestätigen Sie, dass diese neue Sitzung sie beendet.
-       *[other] Eine Sitzung von { $code } ist offen: begonnen von { $person } um { $time }, { $trials } Durchgänge. Beenden Sie sie zuerst, oder bestätigen Sie, dass diese neue Sitzung sie beendet.
+        [one] Eine Sitzung von { $code } ist offen: begonnen von { $person } um { $time }, { $trials } Durchgang. Beenden Sie sie zuerst, oder bestätigen Sie, dass die neue Sitzung sie beendet.
+       *[other] Eine Sitzung von { $code } ist offen: begonnen von { $person } um { $time }, { $trials } Durchgänge. Beenden Sie sie zuerst, oder bestätigen Sie, dass die neue Sitzung sie beendet.
     }
 store-trial-running = Dieser Durchgang läuft noch. Beenden Sie ihn zuerst.
 
 store-no-consent =
     { $consent ->
-        [recording] { $code } hat nicht in die Aufzeichnung eingewilligt. Fragen Sie den Patienten, und tragen Sie den Tag unter „Sitzungen und Einwilligungen“ ein. Üben mit dem simulierten Shirt braucht keine Einwilligung.
-        [clinic_prior] { $code } hat nicht in die Verwendung für andere Patienten der Klinik eingewilligt. Fragen Sie den Patienten, und tragen Sie den Tag unter „Sitzungen und Einwilligungen“ ein.
-       *[sharing] { $code } hat nicht in die Weitergabe nach außen eingewilligt. Fragen Sie den Patienten, und tragen Sie den Tag unter „Sitzungen und Einwilligungen“ ein.
+        [recording] { $code } hat nicht in die Aufzeichnung eingewilligt. Fragen Sie den Patienten, und tragen Sie den Tag unter „{ record-link }“ ein. Üben mit dem simulierten Shirt braucht keine Einwilligung.
+        [clinic_prior] { $code } hat nicht in die Verwendung für andere Patienten der Klinik eingewilligt. Fragen Sie den Patienten, und tragen Sie den Tag unter „{ record-link }“ ein.
+       *[sharing] { $code } hat nicht in die Weitergabe nach außen eingewilligt. Fragen Sie den Patienten, und tragen Sie den Tag unter „{ record-link }“ ein.
     }
 
 store-person-name-taken = Es gibt hier schon jemanden mit dem Namen „{ $name }“. Wählen Sie einen anderen Namen für die Anmeldung.

@@ -12,21 +12,30 @@ study-no-prior = für das simulierte Shirt wird keine Starthilfe mitgeliefert; e
 # measure: the name of a measure, as in “Area off the path”. first, last: its median with its unit, or study-none-reached.
 study-over-seeds = { $measure }: Median in Durchgang 1: { $first }, in Durchgang { $trials }: { $last }; von { $seeds } Personen gefallen bei { $falls }, gestiegen bei { $rises } und innerhalb der Schwankung bei { $no_trend }; unter den ersten { $early } Durchgängen liegt der größte Schritt bei { $early_steps }.
 study-over-seeds-step = { $measure }: Median in Durchgang 1: { $first }, in Durchgang { $trials }: { $last }; von { $seeds } Personen gefallen bei { $falls }, gestiegen bei { $rises } und innerhalb der Schwankung bei { $no_trend }; unter den ersten { $early } Durchgängen liegt der größte Schritt bei { $early_steps }, der des Medians ab Durchgang { $step }.
-study-none-reached = kein Durchgang, der das Ziel erreicht hat
+study-none-reached = niemand hat das Ziel erreicht
 study-left-out =
     { $missed ->
         [one] { $missed } von { $count } Durchgängen hat das Ziel nicht rechtzeitig erreicht und ist in diesen Zahlen nicht enthalten.
        *[other] { $missed } von { $count } Durchgängen haben das Ziel nicht rechtzeitig erreicht und sind in diesen Zahlen nicht enthalten.
     }
 
-## A fixed and an adapted map. The tables are in a font of fixed width: in a line of headings, each heading ends where the
-## English one ends.
+## A fixed and an adapted map
 
 study-area-title = Fläche neben der Strecke, m²
-# fixed, adapted: medians with the fixed and the adapted map; both drove: how many people always reached the goal with both.
-study-session-columns = Sitzung          fest   angep.  erreicht fest   angep.  mit beiden    relativ dort  95 %
+# Titles of columns. fixed, adapted: medians with the fixed and the adapted map; reached: how many trials reached the goal
+# with each; both drove: how many people always reached the goal with both, relative there: the difference for these;
+# 95 %: an interval.
+study-column-session = Sitzung
+study-column-seed = Seed
+study-column-fixed = fest
+study-column-adapted = angepasst
+study-column-reached-fixed = erreicht, fest
+study-column-reached-adapted = erreicht, angepasst
+study-column-both-drove = mit beiden
+study-column-relative = relativ
+study-column-relative-there = relativ dort
+study-column-interval = 95 %
 study-session = Sitzung { $session }
-study-seed-columns = Seed   fest   angep.   relativ  erreicht fest   angep.
 # The bounds of an interval, in percent.
 study-interval = { $low } bis { $high }
 # relative: a difference in percent; interval: a text study-interval, or a dash.
@@ -36,7 +45,15 @@ study-last-session = Median über { $seeds } Seeds in der letzten Sitzung: { $re
 ## The two-minute test
 
 study-test-title = Zwei-Minuten-Test, Mediane über die Personen
-study-test-columns = Sitzung    Ziele/min   verf.     Eintritt, s  Dial-in, s     Geradheit  Durchsatz, bit/s (10 bis 90 %)     Fläche daneben, m²  am Ziel
+# Titles of columns. first entry: seconds until the target is entered first; dial-in: from then until it is held.
+study-test-targets = Ziele/min
+study-test-missed = verfehlt
+study-test-first-entry = erster Eintritt, s
+study-test-dial-in = Dial-in, s
+study-test-straightness = Geradheit
+study-test-throughput = Durchsatz, bit/s (10 bis 90 %)
+study-test-area = Fläche neben der Strecke, m²
+study-test-reached = am Ziel
 study-spread = ({ $low } bis { $high })
 # between, within: a number from −1 to 1, or a dash.
 study-rank-correlation = Rangkorrelation des Durchsatzes mit der Fläche neben der Strecke in den Durchgängen derselben Sitzung: zwischen Personen { $between }, innerhalb von Personen { $within }.

@@ -1,4 +1,4 @@
-### Texts about backups of a clinic, about restoring one, and about the archive of an incident.
+### Texts about backups of a clinic, about restoring one, and about incident files.
 
 backups-warning-folder-gone = The folder of the backups is not there: connect the disk or network drive it lies on.
 backups-warning-none = There is no good backup yet: choose a folder on another disk, then make one.
@@ -15,7 +15,7 @@ backups-folder-not-writable = The folder { $folder } cannot be written ({ $probl
 backups-header-missing = { $folder } holds backups, but its file { $file } is missing: choose another folder.
 backups-header-unreadable = { $folder } is no folder of backups: its file { $file } cannot be read.
 backups-of-other-clinic = { $folder } holds the backups of another clinic: choose a folder of its own for this one.
-backups-of-other-passphrase = { $folder } holds backups with another passphrase, or without one: give that, or choose an empty folder.
+backups-of-other-passphrase = { $folder } holds backups with another passphrase, or without one: use what that folder was made with, or choose an empty folder.
 
 backups-passphrase-short = Give a passphrase of at least 8 characters.
 backups-wrong-passphrase = The passphrase is wrong, or the file was changed: give the passphrase with which it was made.
@@ -44,9 +44,13 @@ backups-not-set-up = The clinic in { $folder } is not set up yet: open its pages
 backups-unequal = The backup { $file } reads back wrongly: this disk is damaged, take another.
 backups-unequal-in-folder = The backup in { $folder } reads back wrongly: this disk is damaged, take another.
 # $files: how many.
-backups-parts-unequal = { $files } files in { $folder } read back wrongly: this disk is damaged, take another.
+backups-parts-unequal =
+    { $files ->
+        [one] { $files } file in { $folder } reads back wrongly: this disk is damaged, take another.
+       *[other] { $files } files in { $folder } read back wrongly: this disk is damaged, take another.
+    }
 
-# A backup, or the archive of an incident.
+# A backup, or an incident file.
 backups-damaged = This file is damaged or was cut off: take another one.
 backups-part-damaged = This backup is damaged: { $file } is missing or was changed. Take another one.
 backups-none = This is no backup of bodydrive, or it was changed: take another one.
@@ -55,6 +59,6 @@ backups-other-version = This backup was made by another version of bodydrive: re
 backups-not-empty = { $folder } is not empty, it holds { $found }: restore into an empty folder. Of a clinic that was there before, leave only { $kept }.
 backups-restored-unequal = { $file } is not equal to what was backed up: take another backup, or another disk.
 
-backups-incident-other-key = Another key than the given one has signed this archive: ask where it comes from.
-backups-incident-wrong-signature = The signature of this archive is wrong: it was changed after it was made.
-backups-incident-changed = { $file } in this archive was changed, or is missing.
+backups-incident-other-key = Another key than the given one has signed this incident file: ask where it comes from.
+backups-incident-wrong-signature = The signature of this incident file is wrong: it was changed after it was made.
+backups-incident-changed = { $file } in this incident file was changed, or is missing.

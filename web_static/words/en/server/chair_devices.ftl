@@ -13,7 +13,7 @@ chairdev-no-report =
 chairdev-not-opened = the chair { $name } is not opened: { $problem }
 chairdev-not-reached =
     the chair { $name } cannot be reached at { $place } ({ $why ->
-        [no-address] no host name
+        [no-address] no such host name
        *[other] { $why }
     }): correct its address
 chairdev-silent = { $name } at { $place } does not answer: check its power and the network.
@@ -40,7 +40,7 @@ chairdev-reason =
         [stop_command] The chair received a stop.
         [withdrawn] The sender withdrew its permission to drive.
         [stop_input] The chair was stopped by its own switch.
-        [not_neutral] The chair was not commanded to stand for half a second after it was armed.
+        [not_neutral] After it was armed, the chair was not commanded to stand for the half second that it needs.
         [late] The chair's own computer stood still for too long.
         [output] The chair's electronics accepted no commands.
        *[ending] The chair's receiver was ended.

@@ -13,7 +13,7 @@ cli-out-was-read = --out { $file } is a file that was read for this: choose anot
 cli-out-unwritable = --out { $file } cannot be written ({ $reason }): choose another place
 cli-out-no-folder = --out { $folder }: { $file } is a file and not a folder, choose another place
 cli-out-forbidden = --out { $folder }: nothing may be written in { $parent }, choose another place
-cli-out-no-file = --out { $file } is no ordinary file: choose another place.
+cli-out-no-file = --out { $file } is no ordinary file: choose another place
 cli-file-written = { $file } is written.
 cli-source = Source: { $source }
 cli-no-clinic = There is no clinic in { $folder }: give its folder with --state.
@@ -21,7 +21,11 @@ cli-no-set-up = The clinic in { $folder } is not set up yet: open its pages firs
 cli-folder-unwritable = { $folder } cannot be written: choose another folder with --state.
 cli-folder-in-use = The clinic in { $folder } is open already: end the other program, or choose another with --state.
 cli-other-version = The program that runs is another version than this command: give the command of that version, or end that program first.
-cli-others-can-read = Other people on this computer can read { $count } files of the clinic, the first is { $file }: give them to this account, or move the clinic to a disk that keeps rights.
+cli-others-can-read =
+    { $count ->
+        [one] Other people on this computer can read { $count } file of the clinic, { $file }: give it to this account, or move the clinic to a disk that keeps rights.
+       *[other] Other people on this computer can read { $count } files of the clinic, the first is { $file }: give them to this account, or move the clinic to a disk that keeps rights.
+    }
 # The name of a clinic that a command makes.
 cli-clinic-name = Clinic
 cli-no-such-patient = There is no patient with the code '{ $code }': see the list of patients.
@@ -92,7 +96,7 @@ cli-name-unusable = This name cannot be used: give 1 to 80 visible characters.
 cli-no-patient-option = --patient { $code }: there is no patient of this code, see the Patients page.
 cli-person-is-disabled = { $name } is disabled: pages that { $name } has open end within 5 seconds.
 cli-person-is-enabled = { $name } can sign in again, with the password of before.
-# The link follows. $time is such as 2026-05-01 14:30
+# The link follows. $time is a day with a time of day.
 cli-invitation = { $name } chooses a password with this link, once, until { $time }:
 cli-not-running = The program does not run now: start it with `bodydrive serve`, then open the link at its address.
 
@@ -164,7 +168,7 @@ cli-study-seeds = --seed { $seed } leaves no room for --seeds { $seeds }: the la
 cli-study-learning = --no-learning goes without --adapt: over sessions the person is chosen with --person
 cli-study-interface = --interface-test goes without --adapt and --no-learning: choose one of them
 cli-study-map = --map { $map } goes with --adapt: say how the calibration adapts, or leave it out
-cli-study-path = --path { $path }: it has no line to be scored beside, choose a path that is driven along
+cli-study-path = --path { $path }: it has no line to measure from, choose a path that is driven along
 cli-study-foreign = --out { $folder } holds '{ $file }', which is no part of a study: name a new or empty folder
 # $names are names of floor plans, with commas between them
 cli-study-no-plan = --floorplan '{ $plan }': there is no such floor plan: use { $names } or a JSON file
@@ -179,10 +183,26 @@ cli-study-trial-missed = trial { $number } of { $trials }: distance driven { $di
 # $seed stands for a simulated person, $mode is off or what --adapt was given
 cli-study-session-trial = seed { $seed }, { $mode }, session { $session }, trial { $trial }: area off the path { $area } m²
 cli-study-session-trial-missed = seed { $seed }, { $mode }, session { $session }, trial { $trial }: area off the path { $area } m², goal not reached
-cli-study-seed-trials = seed { $seed }: { $count } trials driven
-cli-study-seed-sessions = seed { $seed }: { $count } sessions
-cli-study-trials-done = { $count } trials in { $seconds } s, written to { $out }
-cli-study-tests-done = { $count } two-minute tests in { $seconds } s, written to { $out }
+cli-study-seed-trials =
+    { $count ->
+        [one] seed { $seed }: { $count } trial driven
+       *[other] seed { $seed }: { $count } trials driven
+    }
+cli-study-seed-sessions =
+    { $count ->
+        [one] seed { $seed }: { $count } session
+       *[other] seed { $seed }: { $count } sessions
+    }
+cli-study-trials-done =
+    { $count ->
+        [one] { $count } trial in { $seconds } s, written to { $out }
+       *[other] { $count } trials in { $seconds } s, written to { $out }
+    }
+cli-study-tests-done =
+    { $count ->
+        [one] { $count } two-minute test in { $seconds } s, written to { $out }
+       *[other] { $count } two-minute tests in { $seconds } s, written to { $out }
+    }
 
 ## calibrate: a table with one line for each joint. A title of a column stays short.
 
@@ -209,8 +229,8 @@ cli-at-least = { $figure } (at least { $least })
 cli-at-most = { $figure } (at most { $most })
 # An expected figure with its standard deviation.
 cli-forecast = { $value } ± { $uncertainty }
-cli-calibrate-clear-means = Clear: share of the main movement. Span: of the full movement, in the signals' own unit.
-cli-calibrate-expected-means = Expected: how many of 100 movements reach half of full, and how often it acts at rest, a minute.
+cli-calibrate-clear-means = Clear: share of the signal that lies in the main movement. Span: of the full movement, in the signals' own unit.
+cli-calibrate-expected-means = Hits of 100: movements that are expected to reach half of full. At rest a minute: how often the gesture is expected to act while the person rests.
 # $reason has no full stop
 cli-channel-left-out = Channel { $channel } is left out: { $reason }.
 cli-calibrate-out = The profile is in { $out }
@@ -279,7 +299,11 @@ cli-prior-replaced =
     }
 cli-prior-nobody = { $prior }: there is no person '{ $person }' in it
 cli-prior-removed = { $person } removed from { $prior }
-cli-prior-own = { $prior }: own prior, an entry per person, { $people } people in '{ $layout }'
+cli-prior-own =
+    { $people ->
+        [one] { $prior }: own prior, an entry per person, { $people } person in '{ $layout }'
+       *[other] { $prior }: own prior, an entry per person, { $people } people in '{ $layout }'
+    }
 cli-prior-release = { $prior }: release, sums only, { $people } people in '{ $layout }'
 # Titles of columns.
 cli-prior-movement = joint and gesture
@@ -291,7 +315,11 @@ cli-prior-ranges = ranges of the channels, signal units
 # The prompted movement of a joint.
 cli-prior-prompted = { $joint }, prompted
 cli-prior-rate-means = Rate of strokes: mean and deviation in a movement, as shares of the rate that counts as full
-cli-prior-ring = Ring { $ring }: how it sits is known of { $people } people
+cli-prior-ring =
+    { $people ->
+        [one] Ring { $ring }: how it sits is known of { $people } person
+       *[other] Ring { $ring }: how it sits is known of { $people } people
+    }
 cli-prior-too-few = Too few to drive with: { $people } people are needed for a joint
 cli-prior-twice = { $prior } stands there twice: name each prior once
 cli-prior-merged =
@@ -300,8 +328,8 @@ cli-prior-merged =
        *[other] { $people } people in { $out }
     }
 cli-prior-released = { $people } people in { $out }
-# $names are codes of people, or names of joints, with commas between them
-cli-prior-left-out = Not in it, because fewer than eight people are in no release yet: { $names }
+# $names are names of joints, with commas between them
+cli-prior-left-out = Left out are joints with fewer than eight people who are in no release yet: { $names }
 cli-prior-exported =
     { $people ->
         [one] { $people } person in { $out }, with an entry each: it must not leave the clinic.
@@ -314,14 +342,14 @@ cli-prior-sums =
     }
 cli-prior-sums-without =
     { $people ->
-        [one] { $people } person in { $out }: sums only, which may leave the clinic. Not in it, because fewer than eight people are in no release yet: { $names }.
-       *[other] { $people } people in { $out }: sums only, which may leave the clinic. Not in it, because fewer than eight people are in no release yet: { $names }.
+        [one] { $people } person in { $out }: sums only, which may leave the clinic. Left out are joints with fewer than eight people who are in no release yet: { $names }.
+       *[other] { $people } people in { $out }: sums only, which may leave the clinic. Left out are joints with fewer than eight people who are in no release yet: { $names }.
     }
 cli-prior-import-release = { $prior } is a release, which holds sums and no entries of people: use it with `calibrate --prior`, and import the clinic's own prior
 cli-prior-switched-off = The clinic has switched off that calibrations help later patients: see Settings
 cli-prior-no-patient = { $prior }: there is no patient '{ $code }' in the clinic; nobody was imported
 # In quotation marks: a consent, as the page of the patient calls it.
-cli-prior-no-consent = { $prior }: the patient '{ $code }' has not consented to “Use for other patients of the clinic”; nobody was imported
+cli-prior-no-consent = { $prior }: the patient '{ $code }' has not consented to “{ consent-clinic-prior }”; nobody was imported
 cli-prior-imported =
     { $people ->
         [one] { $people } person imported from { $prior }
@@ -329,17 +357,17 @@ cli-prior-imported =
     }
 cli-prior-nobody-shares =
     { $people ->
-        [one] Nobody of the { $people } person known in '{ $layout }' has consented to “Sharing outside of the clinic”: ask them, and note it on the page of the patient
-       *[other] Nobody of the { $people } people known in '{ $layout }' has consented to “Sharing outside of the clinic”: ask them, and note it on the page of the patient
+        [one] The { $people } person known in '{ $layout }' has not consented to “{ consent-sharing }”: ask, and note it on the page of the patient
+       *[other] Nobody of the { $people } people known in '{ $layout }' has consented to “{ consent-sharing }”: ask them, and note it on the page of the patient
     }
-cli-prior-nobody-known = Nobody is known in '{ $layout }': calibrate patients in it who have consented to “Use for other patients of the clinic”
+cli-prior-nobody-known = Nobody is known in '{ $layout }': calibrate patients in it who have consented to “{ consent-clinic-prior }”
 cli-prior-code = A patient's code has characters that a prior cannot name: use letters, digits, dots and dashes only
-cli-prior-no-release = Of those who have consented to “Sharing outside”: { $problem }
+cli-prior-no-release = Of those who have consented to “{ consent-sharing }”: { $problem }
 cli-prior-was-read = { $file } is a file that was read for this: give the prior another name
 cli-prior-unwritable = { $file } cannot be written ({ $reason }): choose another place
 cli-prior-person = --person { $person }: give 1 to 64 letters, digits, dots or dashes
 
-## backup and restore. $time is such as 2026-05-01T14:30
+## backup and restore. $time is a day with a time of day.
 
 cli-backup-made =
     { $name }: { $files } files, { $size } MB, { $keys ->
@@ -354,7 +382,11 @@ cli-backup-no-erased = There is no file { $file }: name the list of erased patie
 cli-backup-clinic-open = The clinic in { $folder } is open: restore into an empty folder.
 cli-restored-with-keys = The clinic of { $time } UTC is in { $folder }: { $files } files, { $size } MB, every one equal by hash. The keys of chairs, shirts and clinic were in it.
 cli-restored-without-keys = The clinic of { $time } UTC is in { $folder }: { $files } files, { $size } MB, every one equal by hash. It held no keys: pair chairs and shirts anew.
-cli-restored-erased = { $count } patients who were erased since stay erased.
+cli-restored-erased =
+    { $count ->
+        [one] { $count } patient who was erased since stays erased.
+       *[other] { $count } patients who were erased since stay erased.
+    }
 cli-backup-whole = { $name } is whole: { $files } files of { $time } UTC, every hash is right.
 cli-backup-is-folder = { $folder } is a folder of backups: name one of its files; the newest is { $newest }.
 cli-no-backup = There is no backup { $file }: name a file.
@@ -378,9 +410,9 @@ cli-archive-made = { $file } is written. Its hash is { $hash }.
 cli-archive-imported = The patient { $code } is imported. Sessions: { $sessions }. Finished and kept trials: { $trials }.
 cli-archive-replaced = The patient { $code } is replaced. Sessions: { $sessions }. Finished and kept trials: { $trials }. The patient as it was is kept for 30 days in { $file }.
 cli-archive-again = The patient { $code } was imported from this archive before: nothing was changed.
-cli-incident-key = --public-key belongs to --check: leave it out, or check an archive.
+cli-incident-key = --public-key belongs to --check: leave it out, or check an incident file.
 cli-incident-no-folder = There is no folder { $folder }: make it, or choose another place.
-# $start and $end are such as 2026-05-01T14:30
+# $start and $end are days with a time of day.
 cli-incident-right = { $name }: { $files } files, { $recordings } recordings, from { $start } to { $end } UTC. Every hash and the signature are right.
 cli-incident-hash = Hash of the manifest: { $hash }
 cli-incident-fingerprint = Fingerprint of the key: { $fingerprint }

@@ -41,7 +41,7 @@ device-no-class = the driver { $driver } has no class { $name }: correct its tab
 device-key-unreadable = the key file { $file } cannot be read ({ $why }): give the file that pairing made
 device-key-no-text = the key file { $file } cannot be read (it is no text): give the file that pairing made
 # In ` ` stands a command, which is not translated.
-device-key-not-private = the key file { $file } can be read by others: say `chmod 600 { $file }`, or pair anew
+device-key-not-private = the key file { $file } can be read by others: run `chmod 600 { $file }`, or pair anew
 device-key-no-key = the key file { $file } holds no key: it must be one line, a number up to 65535, a space, 64 hex digits
 device-key-changed = the key file { $file } holds another key than it did: choose it again
 

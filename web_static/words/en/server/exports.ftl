@@ -2,7 +2,7 @@
 
 exports-nothing = There is nothing to export: nothing was recorded.
 exports-no-session = This patient has no session { $session }: choose one that was opened.
-exports-recording-missing = The recording of this run is missing.
+exports-recording-missing = This recording is missing.
 # Name of a data set of the Brain Imaging Data Structure (BIDS); $patient is a code.
 exports-bids-name = bodydrive recordings of { $patient }
 # File README of such a data set. tracksys-shirt, tracksys-wheelchair, LATENCY and BodydriveSource are names in its files.
@@ -16,5 +16,5 @@ exports-bids-readme =
 exports-method-test = Two-minute test: targets on a cross, reached with a cursor, while no chair moves
 # How a measure was taken: the title of the floor plan, and the name of the path on it.
 exports-method-trial = { $plan }, path { $path }
-exports-note-trial = { $source }. Session { $session }, trial { $number }. Map version { $version }, parameter set { $hash }.
-exports-note-test = { $source }. Session { $session }, two-minute test { $number }. Map version { $version }, parameter set { $hash }.
+exports-note-trial = { $source }. Session { $session }, trial { $number }. Calibration version { $version }, fingerprint of the controls { $hash }.
+exports-note-test = { $source }. Session { $session }, two-minute test { $number }. Calibration version { $version }, fingerprint of the controls { $hash }.

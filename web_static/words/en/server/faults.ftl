@@ -25,7 +25,7 @@ fault-not-neutral-remedy = Ask the patient to rest, or raise “Counts from” o
 fault-not-neutral-patient = Your body was not at rest yet: let your arms hang.
 
 fault-shirt-silent = The shirt stopped sending, or its signals come too late.
-fault-shirt-silent-remedy = Check its battery and cable on the Shirt page.
+fault-shirt-silent-remedy = Check its battery and cable, and look at the Shirt page.
 fault-shirt-silent-patient = The shirt sent nothing any more.
 
 fault-shirt-lossy = More than a tenth of the shirt's signals were lost.
@@ -81,11 +81,11 @@ fault-chair-disarmed-remedy = Bring the chair nearer to the network.
 fault-chair-disarmed-patient = The chair was out of reach.
 
 fault-chair-not-ready = The chair did not become ready within 5 seconds.
-fault-chair-not-ready-remedy = See on the Chair page what it says.
+fault-chair-not-ready-remedy = See on the Real chair page what the chair says.
 fault-chair-not-ready-patient = The chair was not ready in time.
 
-fault-shirt-rate = The shirt sends more or fewer signals per second than is set for it.
-fault-shirt-rate-remedy = Set its true rate on the Shirt page and calibrate again.
+fault-shirt-rate = The shirt sends more or fewer frames a second than is set for it.
+fault-shirt-rate-remedy = Set “{ shirtdev-rate }” on the Shirt page to its true rate, and calibrate again.
 fault-shirt-rate-patient = The shirt has to be set anew.
 
 fault-no-movement = The signals changed as no body moves: by jumps, as evenly as a machine, or in all joints alike.

@@ -7,7 +7,7 @@ headdev-tablet-silent = No orientation comes from a tablet: open its page and le
 headdev-tablet = The tablet reports its orientation.
 headdev-recorded-rests = The recorded head { $file } is not played.
 headdev-recorded-plays = Recorded head { $file } is played.
-headdev-recorded-short = { $file }: a recorded head needs { $least } s and times that grow, record it again
+headdev-recorded-short = { $file }: a recorded head needs at least { $least } s and times that grow, record it again
 
 # $tracker is opentrack or FreePIE, $place the address HOST:PORT on this machine.
 headdev-udp-failed =

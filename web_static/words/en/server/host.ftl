@@ -9,7 +9,7 @@ host-lateness-bad = Of { $ticks } ticks of the control loop, { $late } came more
 host-disk-good = { $free } GB of the disk are free.
 host-disk-attention = { $free } GB of the disk are free. Make room soon.
 host-disk-bad = { $free } GB of the disk are free. Nothing can be recorded: make room.
-# $time is such as 2026-05-01 14:30
+# $time is a day with a time of day.
 host-clock = The clock shows { $time } UTC.
 host-clock-early = The clock shows { $time } UTC, but the program was installed later: set the clock.
 host-clock-kept = The clock shows { $time } UTC, and a time server keeps it right.
@@ -28,7 +28,7 @@ host-summary-good = This computer is good enough for driving.
 host-summary-attention = This computer is good enough for driving, and something could be better.
 host-summary-bad = This computer is not good enough for driving as it is.
 
-## Certificates: files and the days on which they begin or end, such as 2026-05-01
+## Certificates: files and the days on which they begin or end
 
 host-authority-made = A certificate authority was made for this clinic: each tablet installs it once, as the page below explains.
 host-authority-replaced = The clinic's certificate authority was replaced: each tablet needs the new one, as the page below explains, and the old one can be removed there.
@@ -55,5 +55,5 @@ host-service-unwritable = { $file } cannot be written ({ $why }): with --system,
 host-service-refused = { $file } is written, but systemd did not take it ({ $why }): see to it, then try again.
 # Stands in brackets when systemd gives no reason.
 host-service-exit-code = exit code { $code }
-host-service-installed = { $file } is installed and started: '{ $command }'.
+host-service-installed = { $file } is installed and started; '{ $command }' shows its state.
 host-service-starts-at-sign-in = It starts when you sign in; 'loginctl enable-linger' lets it start with the machine.

@@ -15,8 +15,8 @@ plan-the-import = the import
 
 ## Floor plans
 
-plan-path-not-finite = a point of the path is not a finite number: correct it
-plan-path-too-short = a path needs at least two different points: add one
+plan-path-not-finite = a point of the line is not a finite number: correct it
+plan-path-too-short = a line needs at least two different points: add one
 plan-path-twice = path '{ $path }' stands there twice: give each its own name
 plan-path-unknown = floor plan '{ $plan }' has no path '{ $path }': use one of { $names }
 plan-mover-twice = mover '{ $mover }' stands there twice: give each its own name
@@ -34,9 +34,9 @@ plan-line-path = path '{ $path }'
 plan-line-stage = path '{ $path }', '{ $stage }'
 plan-line-mover = mover '{ $mover }'
 plan-line-problem = { $line }: { $problem }
-plan-near-wall = { $line } comes within { $distance } m of a wall near ({ $x }, { $y }), and { $radius } m are needed on each side: move it or the wall
-plan-near-obstacle = { $line } comes within { $distance } m of the obstacle '{ $label }' near ({ $x }, { $y }), and { $radius } m are needed on each side: move it or the obstacle
-plan-near-cone = { $line } comes within { $distance } m of the obstacle 'cone { $number }' near ({ $x }, { $y }), and { $radius } m are needed on each side: move it or the obstacle
+plan-near-wall = { $line } comes within { $distance } m of a wall near ({ $x }, { $y }), and { $radius } m are needed on each side: move the line or the wall
+plan-near-obstacle = { $line } comes within { $distance } m of the obstacle '{ $label }' near ({ $x }, { $y }), and { $radius } m are needed on each side: move the line or the obstacle
+plan-near-cone = { $line } comes within { $distance } m of the obstacle 'cone { $number }' near ({ $x }, { $y }), and { $radius } m are needed on each side: move the line or the obstacle
 plan-dunes-without-area = dunes lie around an area: give the ground its area
 # area, x_min, y_min, x_max, y_max: fields of the document, not translated.
 plan-area-order = area is x_min, y_min, x_max, y_max, the smaller ones first: correct it
@@ -69,7 +69,14 @@ plan-wall-pieces =
        *[other] { NUMBER($count, useGrouping: 1) } wall pieces.
     }
 
-## Import of drawings (DXF). A unit is mm, cm, m, inch or foot.
+## Import of drawings (DXF). $unit: a text plan-unit; $units: mm, cm, m, inch, foot.
+
+plan-unit =
+    { $unit ->
+        [inch] inches
+        [foot] feet
+       *[other] { $unit }
+    }
 
 plan-drawing-empty = { $file }: there are no lines in this drawing (on the chosen layers), choose others
 plan-drawing-walls-too-many = { $file }: this drawing has { NUMBER($count, useGrouping: 1) } wall pieces and at most { NUMBER($most, useGrouping: 1) } are taken, choose fewer layers
@@ -105,14 +112,26 @@ plan-counted-more = { $count } more
 # Things in a drawing that are not read; any other name is a kind of thing in DXF, such as SPLINE.
 plan-left-out =
     { $name ->
-        [invisible] { $count } invisible
-        [texts] { $count } texts and dimensions
-        [missing-blocks] { $count } missing blocks
-        [clipped-blocks] { $count } clipped blocks, which are read whole
+        [invisible] { $count ->
+            [one] { $count } invisible thing
+           *[other] { $count } invisible things
+        }
+        [texts] { $count ->
+            [one] { $count } text or dimension
+           *[other] { $count } texts and dimensions
+        }
+        [missing-blocks] { $count ->
+            [one] { $count } missing block
+           *[other] { $count } missing blocks
+        }
+        [clipped-blocks] { $count ->
+            [one] { $count } clipped block, which is read whole
+           *[other] { $count } clipped blocks, which are read whole
+        }
        *[other] { $count } { $name }
     }
 plan-drawing-damaged = { $file }: something in this drawing is damaged, save it again as DXF
-plan-drawing-large = { $file }: this is larger than { $most } MB, draw only what stands there
+plan-drawing-large = { $file }: this is larger than { $most } MB, draw only what stands in the building
 plan-drawing-dwg = { $file }: this is a DWG drawing, save it as DXF
 plan-drawing-no-dxf = { $file }: this is no DXF drawing that can be read, save it again as DXF
 plan-drawing-without-unit = { $file }: this drawing does not say in which unit it is drawn, give its unit ({ $units })
@@ -124,10 +143,10 @@ plan-drawing-far = { $file }: something on layer '{ $layer }' lies very far away
 
 ## Import of pictures
 
-plan-picture-threshold = { $file }: the threshold lies between 0 (black) and 1 (white), correct it
+plan-picture-threshold = { $file }: the threshold (“{ import-threshold }”) lies between 0 (black) and 1 (white), correct it
 plan-picture-without-scale = { $file }: a picture has no scale, give either metres per pixel or its width in m
 plan-picture-size = { $file }: with this scale the picture is { $width } x { $height } m large, correct it
-plan-picture-dark = { $file }: nothing in this picture is as light as the threshold, lower it
+plan-picture-dark = { $file }: nothing in this picture is as light as the threshold (“{ import-threshold }”), lower it
 plan-picture-coarse = { $file }: one cell would be { $size } m, and doorways would be lost, show a smaller part
 plan-picture-large = { $file }: this is larger than { $most } MB, make it coarser
 plan-picture-pixels = { $file }: this picture has more than { NUMBER($most, useGrouping: 1) } pixels, make it coarser
@@ -139,8 +158,8 @@ plan-picture-unreadable = { $file }: this picture cannot be read ({ $reason }), 
 
 plan-map-no-building =
     { $noun ->
-        [map] { $file }: all that is free in this map is connected to its edge, so that it shows no building, choose to use the outside as well (--outside)
-       *[picture] { $file }: all that is free in this picture is connected to its edge, so that it shows no building, choose to use the outside as well (--outside)
+        [map] { $file }: all that is free in this map is connected to its edge, so that it shows no building, choose “{ import-outside }” (--outside)
+       *[picture] { $file }: all that is free in this picture is connected to its edge, so that it shows no building, choose “{ import-outside }” (--outside)
     }
 plan-map-walls-too-many =
     { $noun ->
@@ -150,7 +169,7 @@ plan-map-walls-too-many =
 plan-map-too-narrow =
     { $noun ->
         [map] { $file }: a chair fits nowhere in this map, check its resolution and thresholds
-       *[picture] { $file }: a chair fits nowhere in this picture, check its scale and thresholds
+       *[picture] { $file }: a chair fits nowhere in this picture, check its scale and the threshold (“{ import-threshold }”)
     }
 plan-map-size =
     { $noun ->

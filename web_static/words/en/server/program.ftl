@@ -4,8 +4,8 @@
 
 realtime-granted = The control loop has real-time scheduling.
 realtime-refused = Real-time scheduling was not granted: close other programs while driving.
-realtime-memory-refused = Memory is not locked: a machine short of memory may delay the control loop.
-realtime-memory-locked = The control loop's memory is locked.
+realtime-memory-refused = Memory is not kept in RAM: a machine short of memory may delay the control loop.
+realtime-memory-locked = The control loop's memory is kept in RAM.
 computing-ended = The process that computes figures has ended: try again.
 computing-too-long = This took more than { $limit } s to compute: close other programs, then try again.
 python-faulty = Python { $version } has known faults in reading zip and tar files: import no archive and restore no backup of unknown origin, and install Python { $least } or newer.
@@ -20,7 +20,7 @@ reading-memory = this needs too much memory, make it smaller
 ## Names
 
 names-two-scripts = In '{ $word }' letters of two scripts stand together: type it in one script.
-names-code-taken = There is a patient of the code '{ $other }' already, and '{ $name }' looks the same: choose another name.
+names-code-taken = There is a patient of the code '{ $other }' already, and '{ $name }' looks the same: choose another one.
 names-file-taken = There is a file or plan '{ $other }' already, and '{ $name }' looks the same: choose another name.
 names-person-taken = There is somebody called '{ $other }' already, and '{ $name }' looks the same: choose another name.
 
@@ -50,4 +50,8 @@ layout-no-joint = channel '{ $channel }' names joint '{ $joint }', which is not 
 layout-no-channel = joint '{ $joint }' has no channel: give it one or leave it out
 layout-no-ring = channel '{ $channel }' has a place but no ring: name its ring or leave out the place
 layout-ring-of-several = ring '{ $ring }' goes round several joints: give each joint a ring of its own
-layout-ring-places = ring '{ $ring }' has { $count } sensors, so that their places must be 0 to { $last }, each once, or left out for all of them
+layout-ring-places =
+    { $count ->
+        [one] ring '{ $ring }' has { $count } sensor, so that its place must be { $last } or left out
+       *[other] ring '{ $ring }' has { $count } sensors, so that their places must be 0 to { $last }, each once, or left out for all of them
+    }

@@ -11,7 +11,7 @@ refused-not-declared = What was sent is not declared as JSON: send it as applica
 refused-no-file = What was sent as a file is none: choose a file, then add it again.
 
 # $language, $languages: as abbreviations: en, es.
-language-not-offered = There is no language “{ $language }” here: choose one of { $languages }.
+language-not-offered = There is no language “{ $language }” here. Choose one of these: { $languages }.
 
 ## Where something is wrong: the beginning of a sentence that names a field and the problem.
 

@@ -4,7 +4,7 @@
 
 report-no-session-yet = This patient has no session yet: open one first, then make the report.
 report-no-session = This patient has no session { $session }: choose one that was opened.
-report-no-language = --language { $language }: give one of { $languages }.
+report-no-language = --language { $language } is not offered: give one of { $languages }.
 # $refusal is a sentence: the patient has not consented to sharing outside the clinic.
 report-needs-consent = { $refusal } A copy for the patient needs no consent.
 
@@ -62,7 +62,7 @@ report-trials-left-out =
        *[other] { $count } trials counted, { $left } left out ({ $reasons })
     }
 # A reason for which a trial was left out.
-report-trial-not-measured = it could not be measured
+report-trial-not-measured = could not be measured
 report-fact-imported = Imported
 # Sessions that were held in another clinic: from $first to $last, of that clinic, imported by a person on a day.
 report-imported =
@@ -110,7 +110,7 @@ report-sessions-session = Session
 report-sessions-date = Date
 report-sessions-opened = Opened by
 report-sessions-trials = Trials
-report-sessions-discarded = Discarded
+report-sessions-discarded = Left out
 report-sessions-signed = Signed off by
 report-scales-scale = Scale
 report-scales-total = Total
@@ -132,11 +132,14 @@ report-calibration =
     Version { $version }{ $origin ->
         [adaptation] , adapted
         [donning] , fitted to how the shirt sat
-        [back] , taken back
+        [back] , an earlier one taken back
        *[calibration] { "" }
     }{ $parent ->
         [0] { "" }
-       *[other] { " " }from version { $parent }
+       *[other] { " " }{ $origin ->
+            [back] in place of
+           *[other] from
+        } version { $parent }
     }, { $methods }{ $body ->
         [simulated] , of a simulated shirt
         [unknown] , source not recorded
@@ -199,9 +202,9 @@ report-drives-end = End
 report-drives-session = Session
 report-drives-count = Drives
 report-drives-chairs = Chairs
-report-drives-faults = Stopped by a fault
+report-drives-faults = Ended by a stop or fault
 report-drive-ended = ended by hand
-report-drive-fault = stopped by a fault
+report-drive-fault = ended by a stop or fault
 report-drive-goes-on = goes on
 report-drive-end-unknown = not recorded
 report-drive-minutes = { $minutes } min { $seconds } s
@@ -213,7 +216,7 @@ report-drive-distance-unknown = not reported by the chair
 
 report-measures-measure = Measure
 report-measures-now = Now
-report-measures-band = Band
+report-measures-band = Noise
 report-measures-verdict = Verdict
 report-nothing-before = nothing to compare with
 report-task-trials =

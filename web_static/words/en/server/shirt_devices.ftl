@@ -31,8 +31,8 @@ shirtdev-udp-port = Port
 
 ## Why a shirt may not drive a real chair.
 
-shirtdev-nobody-wears = A simulated or played shirt arms no real chair, for nobody wears it: choose the shirt on the Shirt page.
-shirtdev-nobody-proves = This source arms no real chair, for nothing proves whose movements it shows: choose the shirt on the Shirt page.
+shirtdev-nobody-wears = A simulated or played shirt arms no real chair, for nobody wears it: choose the worn shirt on the Shirt page.
+shirtdev-nobody-proves = This source arms no real chair, for nothing proves whose movements it shows: choose the worn shirt on the Shirt page.
 shirtdev-no-key = A shirt without a key arms no real chair, for anybody on the network could send its frames: pair it (bodydrive shirt pair), then choose its key on the Shirt page.
 
 ## What shirts say of themselves, and why one cannot be opened.
@@ -46,7 +46,7 @@ shirtdev-simulator-empty = Simulated shirt, { $sensors } sensors at { $rate } Hz
 shirtdev-simulator = Simulated shirt, { $sensors } sensors at { $rate } Hz, with a simulated body in it.
 
 shirtdev-replay-closed = The replay is closed.
-shirtdev-replay-ended = The replay of { $file } has ended: start it again, or let it loop.
+shirtdev-replay-ended = The replay of { $file } has ended: start it again, or choose “{ shirtdev-replay-loop }”.
 # $note is a further sentence: what was mended, or is missing, in the times of the file.
 shirtdev-replay =
     Replay of { $file }, { $sensors } sensors at { $rate } Hz, { $played } s of { $length } s.{ $note ->
@@ -56,10 +56,21 @@ shirtdev-replay =
 shirtdev-replay-failed = { $file }: this cannot be read ({ $why }), check it
 # $layout is the name of a file.
 shirtdev-file-no-joint = { $file }: nothing says which joint the column '{ $column }' belongs to, put the shirt's layout beside the file as { $layout } or name the columns like right_elbow_1
-shirtdev-recording-short = { $folder }: this recording holds { $frames } frames of a shirt, name a longer one
+shirtdev-recording-short =
+    { $frames ->
+        [one] { $folder }: this recording holds { $frames } frame of a shirt, name a longer one
+       *[other] { $folder }: this recording holds { $frames } frames of a shirt, name a longer one
+    }
 shirtdev-recording-times = { $folder }: the times of this recording do not rise, name another one
-shirtdev-recording-channels = { $folder }: this recording has { $channels } channels and its layout { $named }, name another one
+shirtdev-recording-channels =
+    { $channels ->
+        [one] { $folder }: this recording has { $channels } channel and its layout { $named }, name another one
+       *[other] { $folder }: this recording has { $channels } channels and its layout { $named }, name another one
+    }
 shirtdev-recording-rate = { $folder }: this recording does not say its sample rate, name another one
+# The place of a problem, in front of a colon or comma and the problem.
+shirtdev-file-columns = { $file }: its columns make no layout
+shirtdev-recording-layout = { $folder }: the shirt's layout in this recording
 
 # $problem is a message device-key-...
 shirtdev-not-opened = the shirt is not opened: { $problem }

@@ -32,7 +32,11 @@ signals-column-unnamed = { $place }: column { $number } has no name, give it one
 # kind: the name of a type of data, not translated.
 signals-column-type = { $file }: column '{ $column }' holds { $kind } and not numbers, leave it out or convert it
 signals-no-number = { $place }: '{ $column }' has no number there, fill it in
-signals-cells = { $place }: { $count } cells where the header has { $expected }, correct or remove this line
+signals-cells =
+    { $count ->
+        [one] { $place }: { $count } cell where the header has { $expected }, correct or remove this line
+       *[other] { $place }: { $count } cells where the header has { $expected }, correct or remove this line
+    }
 signals-not-a-number = { $place }, column '{ $column }': '{ $cell }' is not a number, write one or leave the cell empty
 # separator: what stands between two columns; decimal: the sign of a decimal number.
 signals-dialect =
@@ -58,8 +62,16 @@ signals-channels = { $file }: { $count } channels are more than a shirt can have
 signals-channel-named-t = { $file }: the layout '{ $layout }' has a channel 't', which is the time: rename the channel
 # names: one name or several.
 signals-channel-missing = { $file }: channel { $names } of the layout '{ $layout }' is not in this recording, add the column or use the layout of the shirt that was recorded
-signals-samples-few = { $file }: { $count } samples are too few for a signal, record at least a few seconds
-signals-frames-few = { $file }: { $count } frames are too few for a signal, name a longer run.
+signals-samples-few =
+    { $count ->
+        [one] { $file }: { $count } sample is too few for a signal, record at least a few seconds
+       *[other] { $file }: { $count } samples are too few for a signal, record at least a few seconds
+    }
+signals-frames-few =
+    { $count ->
+        [one] { $file }: { $count } frame is too few for a signal, name a longer recording.
+       *[other] { $file }: { $count } frames are too few for a signal, name a longer recording.
+    }
 signals-run-without-layout = { $file }: the recording does not say which shirt it is of.
 signals-layout-missing = { $file }: there is no such layout, check its name
 signals-layout-unreadable = { $file }: this layout cannot be read ({ $reason }), check it
@@ -73,15 +85,23 @@ signals-time-jumps = { $place }: t jumps there by { $seconds } s ({ $hours } hou
 signals-rate-changes = { $place }: the sample rate changes there (t = { $time } s), cut the file into parts of one rate each
 signals-uneven = { $file }: t rises by { $least } to { $most } s from row to row, without an even sample rate: export the device's own time of each sample, or resample the file to an even rate
 # Several samples have one time, that of their arrival, or their times come in groups.
-signals-shared-uneven = { $file }: { NUMBER($shared, useGrouping: 1) } of { NUMBER($count, useGrouping: 1) } samples have the time of the sample before, and their number differs from time to time, so that the sample rate is unknown: export the device's own time of each sample, in seconds
-signals-shared-spread = { NUMBER($shared, useGrouping: 1) } of { NUMBER($count, useGrouping: 1) } samples have the time of the sample before: they were spread evenly, at { $rate } Hz.
+signals-shared-uneven =
+    { $shared ->
+        [one] { $file }: { NUMBER($shared, useGrouping: 1) } of { NUMBER($count, useGrouping: 1) } samples has the time of the sample before, and their number differs from time to time, so that the sample rate is unknown: export the device's own time of each sample, in seconds
+       *[other] { $file }: { NUMBER($shared, useGrouping: 1) } of { NUMBER($count, useGrouping: 1) } samples have the time of the sample before, and their number differs from time to time, so that the sample rate is unknown: export the device's own time of each sample, in seconds
+    }
+signals-shared-spread =
+    { $shared ->
+        [one] { NUMBER($shared, useGrouping: 1) } of { NUMBER($count, useGrouping: 1) } samples has the time of the sample before: all were spread evenly, at { $rate } Hz.
+       *[other] { NUMBER($shared, useGrouping: 1) } of { NUMBER($count, useGrouping: 1) } samples have the time of the sample before: all were spread evenly, at { $rate } Hz.
+    }
 signals-bursts-uneven = { $file }: the samples come in bursts, stamped when they arrived, and their number differs from time to time, so that the sample rate is unknown: export the device's own time of each sample, in seconds
 signals-bursts-spread = The samples come in bursts, stamped when they arrived: they were spread evenly, at { $rate } Hz.
 signals-steps-spread = The steps of t differ, though the samples are even: they were spread evenly, at { $rate } Hz.
 signals-gaps =
     { $count ->
-        [one] There is { NUMBER($count, useGrouping: 1) } gap between the samples, the longest of { $longest } s before { $place }.
-       *[other] There are { NUMBER($count, useGrouping: 1) } gaps between the samples, the longest of { $longest } s before { $place }.
+        [one] There is { NUMBER($count, useGrouping: 1) } gap between the samples, of { $longest } s, before { $place }.
+       *[other] There are { NUMBER($count, useGrouping: 1) } gaps between the samples, the longest of { $longest } s, before { $place }.
     }
 
 ## Times in another unit than seconds. step: by how much t rises.

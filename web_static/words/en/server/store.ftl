@@ -16,31 +16,31 @@ store-no-deleted-plan = There is no deleted floor plan '{ $name }': look at the 
 store-no-replaced-file = There is no such replaced file, or its 30 days are over: look at the list.
 
 store-code-taken = The code '{ $code }' already belongs to { $pseudonym }: choose another code.
-store-code-deleted = The code '{ $code }' belongs to a deleted patient: choose another code, or undo the deletion of patient { $patient }.
+store-code-deleted = The code '{ $code }' belongs to a deleted patient: choose another code, or let an owner undo the deletion on the page “{ rail-backup }”.
 store-patient-here = The patient { $pseudonym } has an open session: end it first, then delete the patient.
 # $time: a time of day.
 store-session-open =
     { $trials ->
-        [one] A session of { $code } is open: begun at { $time }, { $trials } trial. End it first, or confirm that this session ends it.
-       *[other] A session of { $code } is open: begun at { $time }, { $trials } trials. End it first, or confirm that this session ends it.
+        [one] A session of { $code } is open: begun at { $time }, { $trials } trial. End it first, or confirm that the new session ends it.
+       *[other] A session of { $code } is open: begun at { $time }, { $trials } trials. End it first, or confirm that the new session ends it.
     }
 # $person: the name of the person who began the session. $time: a time of day.
 store-session-open-by =
     { $trials ->
-        [one] A session of { $code } is open: begun by { $person } at { $time }, { $trials } trial. End it first, or confirm that this session ends it.
-       *[other] A session of { $code } is open: begun by { $person } at { $time }, { $trials } trials. End it first, or confirm that this session ends it.
+        [one] A session of { $code } is open: begun by { $person } at { $time }, { $trials } trial. End it first, or confirm that the new session ends it.
+       *[other] A session of { $code } is open: begun by { $person } at { $time }, { $trials } trials. End it first, or confirm that the new session ends it.
     }
 store-trial-running = This trial is still running: end it first.
 
 store-no-consent =
     { $consent ->
-        [recording] { $code } has not consented to recording: ask, and enter the date on the page of consents. Practice with the simulated shirt needs no consent.
-        [clinic_prior] { $code } has not consented to the use for other patients of the clinic: ask, and enter the date on the page of consents.
-       *[sharing] { $code } has not consented to sharing outside the clinic: ask, and enter the date on the page of consents.
+        [recording] { $code } has not consented to recording: ask, and enter the date under “{ record-link }”. Practice with the simulated shirt needs no consent.
+        [clinic_prior] { $code } has not consented to the use for other patients of the clinic: ask, and enter the date under “{ record-link }”.
+       *[sharing] { $code } has not consented to sharing outside the clinic: ask, and enter the date under “{ record-link }”.
     }
 
 store-person-name-taken = There is already somebody called '{ $name }': choose another name to sign in with.
-store-last-owner = { $name } is the last owner who can sign in, and stays one: make somebody else an owner first.
+store-last-owner = No other owner than { $name } can sign in, so { $name } must remain an owner: make somebody else an owner first.
 store-patients-of-reviewers = Patients are chosen for reviewers only: owners and clinicians work with all of them.
 # $name: of a person. The link is an invitation to choose a password.
 store-invited-disabled = { $name } is disabled: enable this person first, then make a link.
@@ -48,7 +48,7 @@ store-sign-in-ended = This sign-in has ended: sign in again.
 
 store-chair-name-taken = There is already a chair called '{ $name }': choose another name, or unpair that one first.
 # A key: the secret that a chair shares with this computer.
-store-keys-used-up = Every number of a key was used: begin with a new state folder.
+store-keys-used-up = Every number of a key was used: begin with a new folder for the clinic.
 
 # The code pairs a screen of the patient.
 store-code-over = The session of this code has ended: ask for a new code.

@@ -11,7 +11,7 @@ archive-newer = { $file }: este expediente lo creó un bodydrive más reciente (
 # $why: one of the clauses below.
 archive-wrong = { $file }: este expediente no se puede leer porque { $why }; no se ha importado nada.
 archive-code-taken = El código “{ $code }” es de otro paciente de esta clínica, y no se ha importado nada: dé otro código a ese paciente e importe de nuevo.
-archive-recordings-here = Hay grabaciones de este expediente que ya están en esta clínica, y no se ha importado nada: su paciente está aquí.
+archive-recordings-here = Hay grabaciones de este expediente que pertenecen a otro paciente de esta clínica, y no se ha importado nada: busque a ese paciente en la lista de pacientes, o en “{ deleted-title }” de la página “{ rail-backup }”.
 archive-patient-here = { $code } ya está en esta clínica, y no se ha importado nada: sustituya ese paciente o déjelo como está.
 archive-session-open = Hay una sesión de { $code } abierta aquí, y no se ha importado nada: termínela primero e importe de nuevo.
 # $made: a date.
@@ -42,8 +42,8 @@ archive-row-contradicts = la fila { $row } de su tabla “{ $table }” contradi
 # $problem: archive-field.
 archive-row-field = en la fila { $row } de su tabla “{ $table }”, { $problem }
 # $problem: archive-date, another text without a full stop, or what a library says, in English.
-archive-field = “{ $field }”: { $problem }
-archive-date = no es una fecha entre 1970 y 2200
+archive-field = “{ $field }” no es correcto ({ $problem })
+archive-date = esto no es una fecha entre 1970 y 2200
 archive-value-empty = en la fila { $row } de su tabla “{ $table }”, la columna “{ $column }” está vacía
 archive-value-type = en la fila { $row } de su tabla “{ $table }”, la columna “{ $column }” es de otro tipo
 archive-value-long = en la fila { $row } de su tabla “{ $table }”, la columna “{ $column }” es demasiado larga

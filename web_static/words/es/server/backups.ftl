@@ -15,7 +15,7 @@ backups-folder-not-writable = No se puede escribir en la carpeta { $folder } ({ 
 backups-header-missing = { $folder } contiene copias de seguridad, pero falta su archivo { $file }: elija otra carpeta.
 backups-header-unreadable = { $folder } no es una carpeta de copias de seguridad: su archivo { $file } no se puede leer.
 backups-of-other-clinic = { $folder } contiene las copias de seguridad de otra clínica: elija una carpeta propia para esta.
-backups-of-other-passphrase = { $folder } contiene copias de seguridad con otra frase de contraseña, o sin ninguna: indique la de esa carpeta, o elija una carpeta vacía.
+backups-of-other-passphrase = { $folder } contiene copias de seguridad con otra frase de contraseña, o sin ninguna: use lo mismo que cuando se creó esa carpeta, o elija una carpeta vacía.
 
 backups-passphrase-short = Indique una frase de contraseña de al menos 8 caracteres.
 backups-wrong-passphrase = La frase de contraseña no es correcta, o el archivo se modificó: indique la frase de contraseña con la que se creó.
@@ -59,6 +59,6 @@ backups-other-version = Esta copia de seguridad la hizo otra versión de bodydri
 backups-not-empty = { $folder } no está vacía, contiene { $found }: restaure en una carpeta vacía. De una clínica que hubiera allí antes, deje solo { $kept }.
 backups-restored-unequal = { $file } no es igual a lo que se copió: use otra copia de seguridad u otro disco.
 
-backups-incident-other-key = Este archivo se firmó con una clave distinta de la indicada: pregunte de dónde procede.
-backups-incident-wrong-signature = La firma de este archivo no es válida: el archivo se modificó después de crearlo.
-backups-incident-changed = { $file } se modificó o falta en este archivo.
+backups-incident-other-key = Este archivo de incidente se firmó con una clave distinta de la indicada: pregunte de dónde procede.
+backups-incident-wrong-signature = La firma de este archivo de incidente no es válida: el archivo se modificó después de crearlo.
+backups-incident-changed = { $file } se modificó o falta en este archivo de incidente.

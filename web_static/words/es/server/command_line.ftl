@@ -13,7 +13,7 @@ cli-out-was-read = --out { $file } es un archivo que se leyó para esto: elija o
 cli-out-unwritable = --out { $file } no se puede escribir ({ $reason }): elija otro lugar
 cli-out-no-folder = --out { $folder }: { $file } es un archivo y no una carpeta, elija otro lugar
 cli-out-forbidden = --out { $folder }: no se permite escribir nada en { $parent }, elija otro lugar
-cli-out-no-file = --out { $file } no es un archivo corriente: elija otro lugar.
+cli-out-no-file = --out { $file } no es un archivo corriente: elija otro lugar
 cli-file-written = El archivo { $file } está escrito.
 cli-source = Origen: { $source }
 cli-no-clinic = No hay ninguna clínica en { $folder }: indique su carpeta con --state.
@@ -96,7 +96,7 @@ cli-name-unusable = Este nombre no se puede usar: indique de 1 a 80 caracteres v
 cli-no-patient-option = --patient { $code }: no hay ningún paciente con este código, vea la página Pacientes.
 cli-person-is-disabled = El acceso de { $name } está desactivado: las páginas que { $name } tiene abiertas se cierran en menos de 5 segundos.
 cli-person-is-enabled = { $name } puede entrar de nuevo, con la contraseña de antes.
-# The link follows. $time is such as 2026-05-01 14:30
+# The link follows. $time is a day with a time of day.
 cli-invitation = { $name } elige una contraseña con este enlace, una sola vez, hasta el { $time }:
 cli-not-running = El programa no está en marcha: inícielo con `bodydrive serve` y abra el enlace en su dirección.
 
@@ -229,8 +229,8 @@ cli-at-least = { $figure } (al menos { $least })
 cli-at-most = { $figure } (hasta { $most })
 # An expected figure with its standard deviation.
 cli-forecast = { $value } ± { $uncertainty }
-cli-calibrate-clear-means = Claro: proporción del movimiento principal. Rango: el del movimiento completo, en la unidad propia de las señales.
-cli-calibrate-expected-means = Se espera: cuántos de 100 movimientos se reconocen, es decir, llegan a la mitad del máximo, y cuántas veces por minuto se actúa en reposo.
+cli-calibrate-clear-means = Claro: proporción de la señal que está en el movimiento principal. Rango: el del movimiento completo, en la unidad propia de las señales.
+cli-calibrate-expected-means = Reconocidos de 100: movimientos que se espera que lleguen a la mitad del máximo. En reposo por min: cuántas veces se espera que el gesto actúe mientras la persona está en reposo.
 # $reason has no full stop
 cli-channel-left-out = El canal { $channel } queda excluido: { $reason }.
 cli-calibrate-out = El perfil está en { $out }
@@ -329,7 +329,7 @@ cli-prior-merged =
     }
 cli-prior-released = { $people } personas en { $out }
 # $names are codes of people, or names of joints, with commas between them
-cli-prior-left-out = Sin incluir, porque son menos de ocho las personas que todavía no están en ninguna publicación: { $names }
+cli-prior-left-out = Se omiten las articulaciones con menos de ocho personas que todavía no están en ninguna publicación: { $names }
 cli-prior-exported =
     { $people ->
         [one] { $people } persona en { $out }, con una entrada propia: no debe salir de la clínica.
@@ -342,14 +342,14 @@ cli-prior-sums =
     }
 cli-prior-sums-without =
     { $people ->
-        [one] { $people } persona en { $out }: solo sumas, que pueden salir de la clínica. Sin incluir, porque son menos de ocho las personas que todavía no están en ninguna publicación: { $names }.
-       *[other] { $people } personas en { $out }: solo sumas, que pueden salir de la clínica. Sin incluir, porque son menos de ocho las personas que todavía no están en ninguna publicación: { $names }.
+        [one] { $people } persona en { $out }: solo sumas, que pueden salir de la clínica. Se omiten las articulaciones con menos de ocho personas que todavía no están en ninguna publicación: { $names }.
+       *[other] { $people } personas en { $out }: solo sumas, que pueden salir de la clínica. Se omiten las articulaciones con menos de ocho personas que todavía no están en ninguna publicación: { $names }.
     }
 cli-prior-import-release = { $prior } es una publicación, que contiene sumas y ninguna entrada de personas: úsela con `calibrate --prior`, e importe el prior propio de la clínica
 cli-prior-switched-off = La clínica ha desactivado que las calibraciones ayuden a pacientes nuevos: vea la página Ajustes
 cli-prior-no-patient = { $prior }: en la clínica no hay ningún paciente “{ $code }”; no se ha importado a nadie
 # In quotation marks: a consent, as the page of the patient calls it.
-cli-prior-no-consent = { $prior }: el paciente “{ $code }” no ha dado su consentimiento para “Uso para otros pacientes de la clínica”; no se ha importado a nadie
+cli-prior-no-consent = { $prior }: el paciente “{ $code }” no ha dado su consentimiento para “{ consent-clinic-prior }”; no se ha importado a nadie
 cli-prior-imported =
     { $people ->
         [one] { $people } persona importada de { $prior }
@@ -357,17 +357,17 @@ cli-prior-imported =
     }
 cli-prior-nobody-shares =
     { $people ->
-        [one] La { $people } persona conocida en “{ $layout }” no ha dado su consentimiento para “Compartir fuera”: pídalo y anótelo en la página del paciente
-       *[other] Ninguna de las { $people } personas conocidas en “{ $layout }” ha dado su consentimiento para “Compartir fuera”: pídalo y anótelo en la página de cada paciente
+        [one] La { $people } persona conocida en “{ $layout }” no ha dado su consentimiento para “{ consent-sharing }”: pídalo y anótelo en la página del paciente
+       *[other] Ninguna de las { $people } personas conocidas en “{ $layout }” ha dado su consentimiento para “{ consent-sharing }”: pídalo y anótelo en la página de cada paciente
     }
-cli-prior-nobody-known = En “{ $layout }” no se conoce a nadie: calibre con esa camiseta a pacientes que hayan dado su consentimiento para “Uso para otros pacientes de la clínica”
+cli-prior-nobody-known = En “{ $layout }” no se conoce a nadie: calibre con esa camiseta a pacientes que hayan dado su consentimiento para “{ consent-clinic-prior }”
 cli-prior-code = El código de un paciente tiene caracteres que no se admiten en un prior: use solo letras, cifras, puntos y guiones
-cli-prior-no-release = De quienes han dado su consentimiento para “Compartir fuera”: { $problem }
+cli-prior-no-release = De quienes han dado su consentimiento para “{ consent-sharing }”: { $problem }
 cli-prior-was-read = { $file } es un archivo que se leyó para esto: dé otro nombre al prior
 cli-prior-unwritable = { $file } no se puede escribir ({ $reason }): elija otro lugar
 cli-prior-person = --person { $person }: indique de 1 a 64 letras, cifras, puntos o guiones
 
-## backup and restore. $time is such as 2026-05-01T14:30
+## backup and restore. $time is a day with a time of day.
 
 cli-backup-made =
     { $name }: { $files } archivos, { $size } MB, { $keys ->
@@ -412,7 +412,7 @@ cli-archive-replaced = Se ha sustituido el paciente { $code }. Sesiones: { $sess
 cli-archive-again = El paciente { $code } ya se había importado de este expediente: no ha cambiado nada.
 cli-incident-key = --public-key se usa con --check: omítalo, o compruebe un archivo de incidente.
 cli-incident-no-folder = No hay ninguna carpeta { $folder }: créela, o elija otro lugar.
-# $start and $end are such as 2026-05-01T14:30
+# $start and $end are days with a time of day.
 cli-incident-right = { $name }: archivos: { $files }, grabaciones: { $recordings }, de { $start } a { $end } UTC. Todas las huellas y la firma son correctas.
 cli-incident-hash = Huella del manifiesto: { $hash }
 cli-incident-fingerprint = Huella de la clave: { $fingerprint }

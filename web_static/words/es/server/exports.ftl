@@ -16,5 +16,5 @@ exports-bids-readme =
 exports-method-test = Prueba de dos minutos: dianas en una cruz, que se alcanzan con un cursor mientras no se mueve ninguna silla
 # How a measure was taken: the title of the floor plan, and the name of the path on it.
 exports-method-trial = { $plan }, recorrido “{ $path }”
-exports-note-trial = { $source }. Sesión { $session }, ensayo { $number }. Calibración, versión { $version }; huella de la configuración { $hash }.
-exports-note-test = { $source }. Sesión { $session }, prueba de dos minutos { $number }. Calibración, versión { $version }; huella de la configuración { $hash }.
+exports-note-trial = { $source }. Sesión { $session }, ensayo { $number }. Calibración, versión { $version }; huella de los controles { $hash }.
+exports-note-test = { $source }. Sesión { $session }, prueba de dos minutos { $number }. Calibración, versión { $version }; huella de los controles { $hash }.

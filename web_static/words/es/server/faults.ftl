@@ -25,7 +25,7 @@ fault-not-neutral-remedy = Pida al paciente que se quede en reposo, o suba en Co
 fault-not-neutral-patient = Su cuerpo todavía no estaba en reposo: deje los brazos relajados.
 
 fault-shirt-silent = La camiseta dejó de enviar señales, o sus señales llegan demasiado tarde.
-fault-shirt-silent-remedy = Compruebe su batería y su cable en la página Camiseta.
+fault-shirt-silent-remedy = Compruebe su batería y su cable, y mire la página Camiseta.
 fault-shirt-silent-patient = La camiseta dejó de enviar señales.
 
 fault-shirt-lossy = Se perdió más de una décima parte de las señales de la camiseta.
@@ -84,8 +84,8 @@ fault-chair-not-ready = La silla no estuvo lista en 5 segundos.
 fault-chair-not-ready-remedy = Vea en la página Silla real qué indica la silla.
 fault-chair-not-ready-patient = La silla no estuvo lista a tiempo.
 
-fault-shirt-rate = La camiseta envía por segundo más o menos señales que las fijadas para ella.
-fault-shirt-rate-remedy = Fije su frecuencia real en la página Camiseta y calibre de nuevo.
+fault-shirt-rate = La camiseta envía por segundo más o menos muestras que las fijadas para ella.
+fault-shirt-rate-remedy = Fije en la página Camiseta el valor real de “{ shirtdev-rate }” y calibre de nuevo.
 fault-shirt-rate-patient = Hay que configurar de nuevo la camiseta.
 
 fault-no-movement = Las señales cambiaron como no lo hace ningún cuerpo: a saltos, con la regularidad de una máquina o igual en todas las articulaciones.

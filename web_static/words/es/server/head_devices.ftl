@@ -7,7 +7,7 @@ headdev-tablet-silent = No llega la orientación de ninguna tableta: abra la pá
 headdev-tablet = La tableta indica su orientación.
 headdev-recorded-rests = La cabeza grabada { $file } no se reproduce.
 headdev-recorded-plays = Se reproduce la cabeza grabada { $file }.
-headdev-recorded-short = { $file }: una cabeza grabada necesita { $least } s y tiempos que aumenten, grábela de nuevo
+headdev-recorded-short = { $file }: una cabeza grabada necesita al menos { $least } s y tiempos que aumenten, grábela de nuevo
 
 # $tracker is opentrack or FreePIE, $place the address HOST:PORT on this machine.
 headdev-udp-failed =

@@ -9,7 +9,7 @@ host-lateness-bad = Vueltas del bucle de control: { $ticks }, de ellas { $late }
 host-disk-good = Espacio libre en el disco: { $free } GB.
 host-disk-attention = Espacio libre en el disco: { $free } GB. Libere espacio pronto.
 host-disk-bad = Espacio libre en el disco: { $free } GB. No se puede grabar nada: libere espacio.
-# $time is such as 2026-05-01 14:30
+# $time is a day with a time of day.
 host-clock = El reloj marca { $time } UTC.
 host-clock-early = El reloj marca { $time } UTC, pero el programa se instaló más tarde: ponga el reloj en hora.
 host-clock-kept = El reloj marca { $time } UTC, y un servidor de hora lo mantiene en hora.
@@ -28,7 +28,7 @@ host-summary-good = Este equipo es adecuado para conducir.
 host-summary-attention = Este equipo es adecuado para conducir, aunque algo se puede mejorar.
 host-summary-bad = Este equipo, tal como está, no es adecuado para conducir.
 
-## Certificates: files and the days on which they begin or end, such as 2026-05-01
+## Certificates: files and the days on which they begin or end
 
 host-authority-made = Se ha creado una autoridad de certificación para esta clínica: cada tableta la instala una sola vez, como explica la página de abajo.
 host-authority-replaced = Se ha sustituido la autoridad de certificación de la clínica: cada tableta necesita la nueva, como explica la página de abajo, y allí se puede quitar la anterior.

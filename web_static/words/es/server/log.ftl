@@ -14,13 +14,13 @@ logs-head-begun = Si se quitan las filas más recientes, se detecta a partir de 
 logs-sentences = { $first } { $second }
 logs-empty = El registro está vacío.
 # $row: the number of a row.
-logs-row-changed = El registro se alteró: la fila { $row } se modificó, se movió o se insertó, o se quitaron filas anteriores. Archive el estado de este equipo con `bodydrive incident FILE` y compare el registro con el de una copia de seguridad.
+logs-row-changed = El registro se alteró: la fila { $row } se modificó, se movió o se insertó, o se quitaron filas anteriores. Archive el estado de este equipo con “bodydrive incident FILE” y compare el registro con el de una copia de seguridad.
 # $left, $rows: how many.
-logs-newest-removed = El registro se alteró: se quitaron sus filas más recientes y quedan { $left } de { $rows }. Archive el estado de este equipo con `bodydrive incident FILE` y compare el registro con el de una copia de seguridad.
+logs-newest-removed = El registro se alteró: se quitaron sus filas más recientes y quedan { $left } de { $rows }. Archive el estado de este equipo con “bodydrive incident FILE” y compare el registro con el de una copia de seguridad.
 # $rows: how many.
 logs-rows-exchanged =
     { $rows ->
-        [one] El registro se alteró: su primera fila no es la que se escribió. Archive el estado de este equipo con `bodydrive incident FILE` y compare el registro con el de una copia de seguridad.
-       *[other] El registro se alteró: sus primeras { $rows } filas no son las que se escribieron. Archive el estado de este equipo con `bodydrive incident FILE` y compare el registro con el de una copia de seguridad.
+        [one] El registro se alteró: su primera fila no es la que se escribió. Archive el estado de este equipo con “bodydrive incident FILE” y compare el registro con el de una copia de seguridad.
+       *[other] El registro se alteró: sus primeras { $rows } filas no son las que se escribieron. Archive el estado de este equipo con “bodydrive incident FILE” y compare el registro con el de una copia de seguridad.
     }
-logs-head-missing = Falta la cabecera del registro junto a la base de datos: puede que se hayan quitado filas del final del registro. Archive el estado de este equipo con `bodydrive incident FILE` y compare el registro con el de una copia de seguridad.
+logs-head-missing = Falta la cabecera del registro junto a la base de datos: puede que se hayan quitado filas del final del registro. Archive el estado de este equipo con “bodydrive incident FILE” y compare el registro con el de una copia de seguridad.

@@ -15,8 +15,8 @@ plan-the-import = la importación
 
 ## Floor plans
 
-plan-path-not-finite = un punto del recorrido no es un número finito: corríjalo
-plan-path-too-short = un recorrido necesita al menos dos puntos distintos: añada uno
+plan-path-not-finite = un punto de la línea no es un número finito: corríjalo
+plan-path-too-short = una línea necesita al menos dos puntos distintos: añada uno
 plan-path-twice = el recorrido “{ $path }” aparece dos veces: dé a cada uno su propio nombre
 plan-path-unknown = el plano “{ $plan }” no tiene ningún recorrido “{ $path }”: use uno de estos, { $names }
 plan-mover-twice = el elemento móvil “{ $mover }” aparece dos veces: dé a cada uno su propio nombre
@@ -69,7 +69,14 @@ plan-wall-pieces =
        *[other] { NUMBER($count, useGrouping: 1) } tramos de pared.
     }
 
-## Import of drawings (DXF). A unit is mm, cm, m, inch or foot.
+## Import of drawings (DXF). $unit: a text plan-unit; $units: mm, cm, m, inch, foot.
+
+plan-unit =
+    { $unit ->
+        [inch] pulgadas
+        [foot] pies
+       *[other] { $unit }
+    }
 
 plan-drawing-empty = { $file }: en este dibujo no hay líneas (en las capas elegidas), elija otras
 plan-drawing-walls-too-many = { $file }: este dibujo tiene { NUMBER($count, useGrouping: 1) } tramos de pared y se admiten { NUMBER($most, useGrouping: 1) } como máximo, elija menos capas
@@ -136,10 +143,10 @@ plan-drawing-far = { $file }: algo en la capa “{ $layer }” está muy lejos, 
 
 ## Import of pictures
 
-plan-picture-threshold = { $file }: el umbral debe estar entre 0 (negro) y 1 (blanco), corríjalo
+plan-picture-threshold = { $file }: el umbral (“{ import-threshold }”) debe estar entre 0 (negro) y 1 (blanco), corríjalo
 plan-picture-without-scale = { $file }: una imagen no tiene escala, indique o bien los metros por píxel o bien su anchura en m
 plan-picture-size = { $file }: con esta escala, la imagen mide { $width } x { $height } m, corrija la escala
-plan-picture-dark = { $file }: nada en esta imagen es tan claro como el umbral, bájelo
+plan-picture-dark = { $file }: nada en esta imagen es tan claro como el umbral (“{ import-threshold }”), bájelo
 plan-picture-coarse = { $file }: una celda mediría { $size } m y se perderían los pasos de las puertas, muestre una parte más pequeña
 plan-picture-large = { $file }: esto ocupa más de { $most } MB, reduzca la resolución
 plan-picture-pixels = { $file }: esta imagen tiene más de { NUMBER($most, useGrouping: 1) } píxeles, reduzca la resolución
@@ -151,8 +158,8 @@ plan-picture-unreadable = { $file }: esta imagen no se puede leer ({ $reason }),
 
 plan-map-no-building =
     { $noun ->
-        [map] { $file }: todo lo libre de este mapa se comunica con su borde, así que no muestra ningún edificio, elija usar también el exterior (--outside)
-       *[picture] { $file }: todo lo libre de esta imagen se comunica con su borde, así que no muestra ningún edificio, elija usar también el exterior (--outside)
+        [map] { $file }: todo lo libre de este mapa se comunica con su borde, así que no muestra ningún edificio, elija “{ import-outside }” (--outside)
+       *[picture] { $file }: todo lo libre de esta imagen se comunica con su borde, así que no muestra ningún edificio, elija “{ import-outside }” (--outside)
     }
 plan-map-walls-too-many =
     { $noun ->
@@ -162,7 +169,7 @@ plan-map-walls-too-many =
 plan-map-too-narrow =
     { $noun ->
         [map] { $file }: una silla no cabe en ningún sitio de este mapa, compruebe su resolución y sus umbrales
-       *[picture] { $file }: una silla no cabe en ningún sitio de esta imagen, compruebe su escala y sus umbrales
+       *[picture] { $file }: una silla no cabe en ningún sitio de esta imagen, compruebe su escala y el umbral (“{ import-threshold }”)
     }
 plan-map-size =
     { $noun ->

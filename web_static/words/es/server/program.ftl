@@ -4,8 +4,8 @@
 
 realtime-granted = El bucle de control funciona con planificación en tiempo real.
 realtime-refused = El sistema no concedió la planificación en tiempo real: cierre otros programas mientras se conduce.
-realtime-memory-refused = La memoria no está fijada: un equipo con poca memoria puede retrasar el bucle de control.
-realtime-memory-locked = La memoria del bucle de control está fijada.
+realtime-memory-refused = La memoria no se mantiene en la RAM: un equipo con poca memoria puede retrasar el bucle de control.
+realtime-memory-locked = La memoria del bucle de control se mantiene en la RAM.
 computing-ended = El proceso que calcula las cifras ha terminado: inténtelo de nuevo.
 computing-too-long = El cálculo tardó más de { $limit } s: cierre otros programas e inténtelo de nuevo.
 python-faulty = Python { $version } tiene fallos conocidos al leer archivos zip y tar: no importe expedientes ni restaure copias de seguridad de origen desconocido, e instale Python { $least } o posterior.
@@ -20,7 +20,7 @@ reading-memory = esto necesita demasiada memoria, hágalo más pequeño
 ## Names
 
 names-two-scripts = En “{ $word }” hay letras de dos alfabetos: escríbalo con uno solo.
-names-code-taken = Ya hay un paciente con el código “{ $other }”, y “{ $name }” se ve igual: elija otro nombre.
+names-code-taken = Ya hay un paciente con el código “{ $other }”, y “{ $name }” se ve igual: elija otro.
 names-file-taken = Ya hay un archivo o un plano “{ $other }”, y “{ $name }” se ve igual: elija otro nombre.
 names-person-taken = Ya hay una persona con el nombre “{ $other }”, y “{ $name }” se ve igual: elija otro nombre.
 

@@ -31,8 +31,8 @@ shirtdev-udp-port = Puerto
 
 ## Why a shirt may not drive a real chair.
 
-shirtdev-nobody-wears = Una camiseta simulada o reproducida no habilita ninguna silla real, porque no la lleva nadie: elija la camiseta en la página Camiseta.
-shirtdev-nobody-proves = Este origen no habilita ninguna silla real, porque nada demuestra de quién son los movimientos que muestra: elija la camiseta en la página Camiseta.
+shirtdev-nobody-wears = Una camiseta simulada o reproducida no habilita ninguna silla real, porque no la lleva nadie: elija la camiseta puesta en la página Camiseta.
+shirtdev-nobody-proves = Este origen no habilita ninguna silla real, porque nada demuestra de quién son los movimientos que muestra: elija la camiseta puesta en la página Camiseta.
 shirtdev-no-key = Una camiseta sin clave no habilita ninguna silla real, porque cualquiera en la red podría enviar sus muestras: vincúlela (bodydrive shirt pair) y elija después su clave en la página Camiseta.
 
 ## What shirts say of themselves, and why one cannot be opened.
@@ -46,7 +46,7 @@ shirtdev-simulator-empty = Camiseta simulada, { $sensors } sensores a { $rate } 
 shirtdev-simulator = Camiseta simulada, { $sensors } sensores a { $rate } Hz, con un cuerpo simulado dentro.
 
 shirtdev-replay-closed = La reproducción está cerrada.
-shirtdev-replay-ended = La reproducción de { $file } ha terminado: empiécela otra vez o haga que empiece de nuevo al final.
+shirtdev-replay-ended = La reproducción de { $file } ha terminado: empiécela otra vez o elija “{ shirtdev-replay-loop }”.
 # $note is a further sentence: what was mended, or is missing, in the times of the file.
 shirtdev-replay =
     Reproducción de { $file }, { $sensors } sensores a { $rate } Hz, { $played } s de { $length } s.{ $note ->
@@ -64,6 +64,9 @@ shirtdev-recording-short =
 shirtdev-recording-times = { $folder }: los tiempos de esta grabación no aumentan, indique otra
 shirtdev-recording-channels = { $folder }: el número de canales es { $channels } en esta grabación y { $named } en su disposición, indique otra
 shirtdev-recording-rate = { $folder }: esta grabación no indica su frecuencia de muestreo, indique otra
+# The place of a problem, in front of a colon or comma and the problem.
+shirtdev-file-columns = { $file }: sus columnas no forman una disposición
+shirtdev-recording-layout = { $folder }: la disposición de la camiseta en esta grabación
 
 # $problem is a message device-key-...
 shirtdev-not-opened = no se abre la camiseta: { $problem }

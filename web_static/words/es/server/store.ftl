@@ -16,7 +16,7 @@ store-no-deleted-plan = No hay ningún plano eliminado “{ $name }”: vea la l
 store-no-replaced-file = No hay ningún archivo sustituido así, o sus 30 días han pasado: vea la lista.
 
 store-code-taken = El código “{ $code }” ya es de { $pseudonym }: elija otro código.
-store-code-deleted = El código “{ $code }” es de un paciente eliminado: elija otro código, o deshaga la eliminación del paciente { $patient }.
+store-code-deleted = El código “{ $code }” es de un paciente eliminado: elija otro código, o pida a un administrador que deshaga la eliminación en la página “{ rail-backup }”.
 store-patient-here = { $pseudonym } tiene una sesión abierta: termínela primero y después elimine el paciente.
 # $time: a time of day.
 store-session-open =
@@ -34,9 +34,9 @@ store-trial-running = Este ensayo todavía está en marcha: termínelo primero.
 
 store-no-consent =
     { $consent ->
-        [recording] { $code } no ha dado su consentimiento para la grabación: pídalo y anote la fecha en la página Sesiones y consentimientos. La práctica con la camiseta simulada no necesita consentimiento.
-        [clinic_prior] { $code } no ha dado su consentimiento para el uso para otros pacientes de la clínica: pídalo y anote la fecha en la página Sesiones y consentimientos.
-       *[sharing] { $code } no ha dado su consentimiento para compartir fuera de la clínica: pídalo y anote la fecha en la página Sesiones y consentimientos.
+        [recording] { $code } no ha dado su consentimiento para la grabación: pídalo y anote la fecha en “{ record-link }”. La práctica con la camiseta simulada no necesita consentimiento.
+        [clinic_prior] { $code } no ha dado su consentimiento para el uso para otros pacientes de la clínica: pídalo y anote la fecha en “{ record-link }”.
+       *[sharing] { $code } no ha dado su consentimiento para compartir fuera de la clínica: pídalo y anote la fecha en “{ record-link }”.
     }
 
 store-person-name-taken = Ya hay una persona con el nombre “{ $name }”: elija otro nombre para entrar.

@@ -15,14 +15,23 @@ study-over-seeds-step = { $measure }, mediana: { $first } en el ensayo 1, { $las
 study-none-reached = nadie alcanzó la meta
 study-left-out = Ensayos que no alcanzaron la meta a tiempo: { $missed } de { $count }; estas cifras no los incluyen.
 
-## A fixed and an adapted map. The tables are in a font of fixed width: in a line of headings, each heading ends where the
-## English one ends.
+## A fixed and an adapted map
 
 study-area-title = Área fuera del recorrido, m²
-# fixed, adapted: medians with the fixed and the adapted map; both drove: how many people always reached the goal with both.
-study-session-columns = { " " }sesión          fija adaptada     meta: fija adaptada   con ambas    relativa ahí  95 %
+# Titles of columns. fixed, adapted: medians with the fixed and the adapted map; reached: how many trials reached the goal
+# with each; both drove: how many people always reached the goal with both, relative there: the difference for these;
+# 95 %: an interval.
+study-column-session = sesión
+study-column-seed = semilla
+study-column-fixed = fija
+study-column-adapted = adaptada
+study-column-reached-fixed = meta, fija
+study-column-reached-adapted = meta, adaptada
+study-column-both-drove = con ambas
+study-column-relative = relativa
+study-column-relative-there = relativa ahí
+study-column-interval = 95 %
 study-session = sesión { $session }
-study-seed-columns = sem.   fija adaptada  relativa     meta: fija adaptada
 # The bounds of an interval, in percent.
 study-interval = { $low } a { $high }
 # relative: a difference in percent; interval: a text study-interval, or a dash.
@@ -32,7 +41,15 @@ study-last-session = Mediana de las semillas ({ $seeds }) en la última sesión:
 ## The two-minute test
 
 study-test-title = Prueba de dos minutos, medianas de las personas
-study-test-columns = { " " }sesión   dianas/min  fallan  1.ª entrada, s   ajuste, s      rectitud rendimiento, bit/s  (10 a 90 %)         área fuera, m²     meta
+# Titles of columns. first entry: seconds until the target is entered first; dial-in: from then until it is held.
+study-test-targets = dianas/min
+study-test-missed = falladas
+study-test-first-entry = primera entrada, s
+study-test-dial-in = ajuste, s
+study-test-straightness = rectitud
+study-test-throughput = rendimiento, bit/s (10 a 90 %)
+study-test-area = área fuera del recorrido, m²
+study-test-reached = meta
 study-spread = ({ $low } a { $high })
 # between, within: a number from −1 to 1, or a dash.
 study-rank-correlation = Correlación de rangos del rendimiento con el área fuera del recorrido en los ensayos de la misma sesión: entre personas { $between }, dentro de cada persona { $within }.
