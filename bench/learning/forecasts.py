@@ -26,6 +26,7 @@ from app.hardware.body.person_parameters import PRACTISED
 from app.hardware.shirt.standard import standard_layout
 from app.study.participant import Participant
 from app.study.simulated_calibration import fit_recorded, record_step
+from app.texts import Text
 
 SAMPLE_RATE = 100.0  # Hz
 REST = 60.0  # s, held out
@@ -142,7 +143,7 @@ def _count_lowered(
 
 def _more(participant: Participant, cues: Sequence[Cue]) -> CuedRun:
     """Record a further run with these cues."""
-    step = Step("more", "rest", None, "More", "More.", cues[-1].end, tuple(cues))
+    step = Step("more", "rest", None, Text("more"), Text("more"), cues[-1].end, tuple(cues))
     values, cue = record_step(participant, step)
     return run_of_cues(values, cue, cues)
 

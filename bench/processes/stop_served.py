@@ -133,7 +133,7 @@ async def _arm(control: ControlLink, digest: str) -> None:
             continue
         if tick["state"] == State.ARMED:
             return
-        why = EXPLANATIONS[Fault(int(tick["fault"]))].happened
+        why = str(EXPLANATIONS[Fault(int(tick["fault"]))].happened)
         try:
             if tick["state"] == State.FAULT:
                 await control.call("clear", stops=int(tick["stops"]))

@@ -28,7 +28,7 @@ ELSEWHERE = {
 
 def texts_in(tree: ast.Module) -> Iterator[tuple[int, str]]:
     """Yield line and text of each string for people; those that document, log or describe a field are none."""
-    left_out = set()
+    left_out: set[ast.AST] = set()
     for node in ast.walk(tree):
         if isinstance(node, ast.Expr) and isinstance(node.value, ast.Constant | ast.JoinedStr):
             left_out.add(node.value)  # a docstring, or the description of a constant

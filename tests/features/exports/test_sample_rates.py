@@ -24,7 +24,7 @@ def slow(tmp_path: Any) -> Any:
     columns = {name: values[:100] for name, values in run.columns.items()}
     columns |= {"run_t": np.arange(100) / LOOP - 0.5, "has_frame": np.arange(100) % 3 == 0}
     groups = [{name: values[rows] for name, values in columns.items()} for rows in (slice(0, 40), slice(40, None))]
-    return RunGroups(run.meta | {"sample_rate": SHIRT}, "", iter(groups))
+    return RunGroups(run.meta | {"sample_rate": SHIRT}, None, iter(groups))
 
 
 def test_bids_says_the_measured_rate_of_the_chair_and_the_real_durations(slow: Any, tmp_path: Any) -> None:
