@@ -77,6 +77,7 @@ def load_scene(file: Path) -> Scene:
         except ValueError as error:
             raise ValueError(Text("plan-scene-problem", where=where, problem=error)) from error
         if level:
+            # English, as the rest of the document: people see the message of app/world/place_texts.py.
             names_of_level = {"name": f"{head.name}.{level.name}", "title": f"{head.title}, {level.title.lower()}"}
         else:
             names_of_level = {"name": head.name, "title": head.title}
