@@ -96,6 +96,7 @@ def import_file(
 @floorplan_app.command("list")
 def list_plans(as_json: AsJson = False) -> None:
     """List what can be driven in and comes with the software: scenes by level, buildings, and their tasks."""
+    from app.world.place_texts import plan_for_reader
     from app.world.scene import bundled_places
 
     try:
@@ -116,7 +117,7 @@ def list_plans(as_json: AsJson = False) -> None:
     if as_json:
         typer.echo(json.dumps({"floorplans": listed}))
         return
-    for plan in plans:
+    for plan in map(plan_for_reader, plans):
         typer.echo(f"{plan.name}: {plan.title}")
         for path in plan.paths:
             typer.echo(f"  {path.name:<14} {path.line.length:5.1f} m  {path.task.kind:<7} {path.title}")

@@ -62,7 +62,7 @@ class StoryEvent(NamedTuple):
     at: datetime
     kind: EventKind
     person: str | None  # who did or said it; None: not recorded
-    text: str  # what was said, or a title; in the words of its author
+    text: Text | str  # what was said, or a title; what a person wrote is in their words
     facts: dict[str, Any]  # by names that the page puts into words
 
 
@@ -84,7 +84,7 @@ class TrialRemark(Protocol):
         """Return the session of the trial."""
 
     @property
-    def floorplan_title(self) -> str:
+    def floorplan_title(self) -> Text | str:
         """Return the title of the trial's floor plan."""
 
     @property

@@ -24,6 +24,7 @@ from sqlalchemy.types import TypeDecorator
 from app.json_values import JsonDocument
 from app.source import Source
 from app.texts import Text, from_document, to_document
+from app.world.place_texts import place_text
 
 COUNTED = "kept = 1 AND status = 'done' AND measures != 'null'"  # a trial that is compared with others
 
@@ -264,6 +265,11 @@ class Trial(Table):
     def source(self) -> Source:
         """Return where the signals of its run came from."""
         return self.run.source
+
+    @property
+    def place_title(self) -> Text | str:
+        """Return the title of its floor plan for people; `floorplan_title` is that of the document."""
+        return place_text(self.floorplan, self.floorplan_title)
 
 
 class PairedChair(Table):

@@ -3,7 +3,9 @@
 from contextlib import suppress
 from pathlib import Path
 
+from app.texts import Text
 from app.world.floorplan import FloorPlan, load_floorplan
+from app.world.place_texts import place_text
 from app.world.scene import find_place
 
 
@@ -22,10 +24,10 @@ def find_floorplan(folder: Path, name: str) -> FloorPlan | None:
     return load_floorplan(file) if file.parent == folder and file.is_file() else None
 
 
-def path_title(folder: Path, floorplan: str, path: str) -> str:
+def path_title(folder: Path, floorplan: str, path: str) -> Text | str:
     """Return the title of a path; its name where the floor plan or the path is gone, or the plan cannot be read."""
     with suppress(ValueError):
         plan = find_floorplan(folder, floorplan)
         if plan is not None:
-            return plan.path_named(path).title
+            return place_text(floorplan, plan.path_named(path).title)
     return path

@@ -77,6 +77,7 @@ def load_scene(file: Path) -> Scene:
         except ValueError as error:
             raise ValueError(Text("plan-scene-problem", where=where, problem=error)) from error
         if level:
+            # English, as the rest of the document: people see the message of app/world/place_texts.py.
             names_of_level = {"name": f"{head.name}.{level.name}", "title": f"{head.title}, {level.title.lower()}"}
         else:
             names_of_level = {"name": head.name, "title": head.title}
@@ -105,19 +106,24 @@ def bundled_places() -> dict[str, DrivingPlace]:
     ValueError
         When one of the files is damaged.
     """
-    scenes, floorplans = tuple(bundled_scenes().values()), tuple(bundled_floorplans().values())
-    return dict(_places_of(scenes, floorplans, tuple(stamp(file) for file in (*scenes, *floorplans))))
+    files = (*bundled_scenes().values(), *bundled_floorplans().values())
+    return {name: place for file in files for name, place in _bundled_in(file).items()}
 
 
-@lru_cache(maxsize=1)
-def _places_of(
-    scenes: Sequence[Path], floorplans: Sequence[Path], _stamps: tuple[Stamp, ...]
-) -> Mapping[str, DrivingPlace]:
-    """Return the places of these files, read again only when one of the files has changed."""
-    places: dict[str, DrivingPlace] = {}
-    for file in scenes:
-        places |= places_in(file)
-    return places | {file.stem: DrivingPlace(load_floorplan(file)) for file in floorplans}
+def bundled_place(name: str) -> DrivingPlace | None:
+    """Return the bundled place whose floor plan has this name, or None; raise ValueError when its file is damaged."""
+    file = bundled_floorplans().get(name) or bundled_scenes().get(name.partition(".")[0])
+    return None if file is None else _bundled_in(file).get(name)
+
+
+def _bundled_in(file: Path) -> Mapping[str, DrivingPlace]:
+    """Return the places of a bundled file, read again only when it or a floor plan, which it may inherit, changed."""
+    return _read_bundled(file, tuple(stamp(read) for read in (file, *bundled_floorplans().values())))
+
+
+@lru_cache(maxsize=64)
+def _read_bundled(file: Path, _stamps: tuple[Stamp, ...]) -> Mapping[str, DrivingPlace]:
+    return places_in(file) if file.parent.name == "scenes" else {file.stem: DrivingPlace(load_floorplan(file))}
 
 
 def places_in(file: Path) -> dict[str, DrivingPlace]:
@@ -132,10 +138,7 @@ def places_in(file: Path) -> dict[str, DrivingPlace]:
 
 def find_place(name: str) -> FloorPlan | None:
     """Return the bundled floor plan of this name (SCENE.LEVEL for a scene), or None; raise ValueError when damaged."""
-    if name in bundled_floorplans():
-        return load_floorplan(bundled_floorplans()[name])
-    file = bundled_scenes().get(name.partition(".")[0])
-    place = None if file is None else places_in(file).get(name)
+    place = bundled_place(name)
     return None if place is None else place.plan
 
 

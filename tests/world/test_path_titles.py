@@ -32,7 +32,7 @@ def test_every_bundled_path_has_its_title(own: Path) -> None:
     places = bundled_places()
     assert "apartment" in places
     for name, place in places.items():
-        assert [path_title(own, name, path.name) for path in place.plan.paths] == [
+        assert [str(path_title(own, name, path.name)) for path in place.plan.paths] == [
             path.title for path in place.plan.paths
         ]
 

@@ -17,6 +17,7 @@ from app.store.runs import trials_of
 from app.store.tables import Trial
 from app.texts import Text
 from app.world.floorplan import FloorPlan
+from app.world.place_texts import place_text, plan_for_reader
 from app.world.scene import DrivingPlace
 from app.world.task_groups import TaskGroup, group_of
 
@@ -27,31 +28,31 @@ class PathView(Document):
     """A path to choose, and its task."""
 
     name: str
-    title: str
+    title: Text
     length: float  # m
     task: str  # path, follow, turn, back or course
 
 
-class SceneView(Answer):
+class SceneView(Document):
     """The scene that a floor plan is a level of."""
 
     name: str
-    title: str
-    about: str
+    title: Text
+    about: Text
 
 
-class LevelView(Answer):
+class LevelView(Document):
     """A level of difficulty."""
 
     name: str
-    title: str
+    title: Text
 
 
 class FloorPlanView(Document):
     """A floor plan to choose."""
 
     name: str
-    title: str
+    title: Text
     width: float  # m
     height: float  # m
     paths: list[PathView]
@@ -79,18 +80,22 @@ def list_floorplans(_person: Anyone, places: PlacesPart) -> list[FloorPlanView]:
 
 def _floorplan_view(offer: DrivingPlace) -> FloorPlanView:
     plan, scene, level = offer
+
+    def shown(text: str) -> Text | str:
+        return place_text(plan.name, text)
+
     x_min, y_min, x_max, y_max = plan.bounds
     return FloorPlanView(
         name=plan.name,
-        title=plan.title,
+        title=shown(plan.title),
         width=round(x_max - x_min, 3),
         height=round(y_max - y_min, 3),
         paths=[
-            PathView(name=path.name, title=path.title, length=round(path.line.length, 3), task=path.task.kind)
+            PathView(name=path.name, title=shown(path.title), length=round(path.line.length, 3), task=path.task.kind)
             for path in plan.paths
         ],
-        scene=None if scene is None else SceneView.of(scene),
-        level=None if level is None else LevelView.of(level),
+        scene=None if scene is None else SceneView(name=scene.name, title=shown(scene.title), about=shown(scene.about)),
+        level=None if level is None else LevelView(name=level.name, title=shown(level.title)),
         group=group_of(offer),
     )
 
@@ -109,8 +114,8 @@ def needed_plan(places: ClinicPlaces, name: str) -> FloorPlan:
 
 @router.get("/floorplans/{name}")
 def one_floorplan(name: Name, _person: Anyone, places: PlacesPart) -> FloorPlan:
-    """Return a floor plan."""
-    return needed_plan(places, name)
+    """Return a floor plan; the titles and instructions of a bundled one are in the reader's language."""
+    return plan_for_reader(needed_plan(places, name))
 
 
 @router.get("/patients/{patient_id}/next-task")

@@ -36,6 +36,7 @@ from app.session.run_watch import Halt
 from app.session.runs import SessionRuns
 from app.session.trial import TrialFlow
 from app.texts import Text
+from app.world.place_texts import place_text
 
 STALE = 1.0  # s without a tick, after which the control process counts as lost
 LOOK_BACK = 1.0  # s of frames for the condition of the channels
@@ -213,8 +214,8 @@ class LivePicture:
             stage=place.stage,
             stages=trial.watch.progress.stages,
             kind=part.task.kind,
-            title=part.title,
-            instruction=part.instruction,
+            title=place_text(trial.plan.name, part.title),
+            instruction=place_text(trial.plan.name, part.instruction),
             target=[round(float(value), 3) for value in part.points[-1]],
         )
 

@@ -75,8 +75,8 @@ class TrialMoment(MessagePart):
     stage: int = Field(description="From 0.")
     stages: int
     kind: str
-    title: str
-    instruction: str
+    title: Text
+    instruction: Text
     target: list[float] = Field(description="Where the path ends.")
 
 

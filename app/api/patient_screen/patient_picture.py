@@ -40,7 +40,7 @@ class PatientTrial(MessagePart):
     length: Number
     stage: int
     stages: int
-    instruction: str
+    instruction: Text
     target: list[float]
     movers: list[list[Number]]
 

@@ -8,6 +8,7 @@ from app.api.deps import SessionFlowPart, TrialFlowPart, viewer
 from app.api.sign_in.identity import PairedScreen, SignedInPerson
 from app.quantities import Document, Name
 from app.world.floorplan import FloorPlan
+from app.world.place_texts import plan_for_reader
 
 router = APIRouter(tags=["view"])
 
@@ -33,4 +34,4 @@ def shown_plan(
     trial = trial_flow.current
     if trial is None or not requester.sees(session_flow.patient_id):
         return None
-    return TrialPlan(trial=trial.id, floorplan=trial.plan, path=trial.path.name)
+    return TrialPlan(trial=trial.id, floorplan=plan_for_reader(trial.plan), path=trial.path.name)

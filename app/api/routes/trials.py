@@ -5,7 +5,7 @@ from contextlib import suppress
 from typing import Annotated, Any, Literal
 
 from fastapi import APIRouter, Query
-from pydantic import Field
+from pydantic import ConfigDict, Field
 
 from app.api.answers import Answer, MomentText, OriginView
 from app.api.deps import (
@@ -78,11 +78,13 @@ class Discard(Document):
 class TrialView(Answer):
     """A trial and its measures."""
 
+    model_config = ConfigDict(populate_by_name=True)
+
     id: int
     number: int
     patient_id: int
     floorplan: str
-    floorplan_title: str
+    floorplan_title: Text = Field(validation_alias="place_title")
     path: str
     started: MomentText
     status: str
@@ -117,7 +119,7 @@ class TrialDetail(Document):
     patient_code: str
     session_number: int  # 1, 2, 3 ... per patient
     floorplan: str
-    floorplan_title: str
+    floorplan_title: Text
     path: list[tuple[float, float]]
     path_name: str
     started: MomentText

@@ -26,7 +26,7 @@ class Comment:
     trial_id: int
     patient_id: int
     session_id: int
-    floorplan_title: str  # of the trial
+    floorplan_title: Text | str  # of the trial
     number: int  # of the trial
     person_id: int | None  # None: its author belongs to another clinic
     person: str
@@ -91,7 +91,7 @@ def comments_of(
             trial_id=trial.id,
             patient_id=trial.patient_id,
             session_id=trial.session_id,
-            floorplan_title=trial.floorplan_title,
+            floorplan_title=trial.place_title,
             number=trial.number,
             person_id=comment.person_id,
             person=name,

@@ -13,6 +13,7 @@ from app.scoring.interface_test.interface_course import COMPLETE
 from app.scoring.measures import EXPORTED, TEST_MEASURES, Measure, is_number
 from app.source import source_description
 from app.texts import Text
+from app.world.place_texts import place_text
 
 UCUM = "http://unitsofmeasure.org"
 MEASURE_CODES = "urn:bodydrive:measure"
@@ -30,7 +31,9 @@ def fhir_bundle(material: ExportMaterial, verdicts: dict[int, dict[str, str]]) -
     ]
     for run in material.runs:
         if run.trial is not None and run.trial.kept:
-            method = Text("exports-method-trial", plan=run.trial.title, path=run.trial.path)
+            method = Text(
+                "exports-method-trial", plan=place_text(run.trial.floorplan, run.trial.title), path=run.trial.path
+            )
             verdict = verdicts.get(run.trial.id, {})
             observations = _observations(run, run.trial, "trial", method, EXPORTED, verdict)
         elif run.test is not None and run.test.end == COMPLETE:

@@ -90,9 +90,9 @@ class TaskComparison(Document):
     """One task in two sessions: trials of one source along one path."""
 
     floorplan: str
-    floorplan_title: str
+    floorplan_title: Text
     path: str
-    path_title: str  # its name where the floor plan has no such path any more
+    path_title: Text  # its name where the floor plan has no such path any more
     source: SourceGroup
     trials: tuple[int, int]  # driven in the earlier and in the later session
     counted: tuple[int, int]  # of these, kept and measured
@@ -134,7 +134,7 @@ def compare_two(
         write_log(db, person.name, "sessions compared", patient=earlier.patient_id, sessions=[earlier.id, later.id])
         trials = [trials_of_session(db, session.id) for session in (earlier, later)]
         driven = [Counter(map(_task, of_session)) for of_session in trials]
-        titles = {_task(trial): trial.floorplan_title for of_session in trials for trial in of_session}
+        titles = {_task(trial): trial.place_title for of_session in trials for trial in of_session}
         rows = {}
         for task in titles:
             counted = counted_trials(db, earlier.patient_id, task.floorplan, task.path)

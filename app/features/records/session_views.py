@@ -3,6 +3,8 @@
 from datetime import date
 from typing import Any
 
+from pydantic import Field
+
 from app.api.answers import Answer, MomentText, OriginView
 from app.api.interface_test_view import InterfaceTestView
 from app.api.routes.source_view import SourceView
@@ -73,7 +75,7 @@ class SessionTrial(Answer):
 
     id: int
     number: int
-    floorplan_title: str
+    floorplan_title: Text = Field(validation_alias="place_title")
     path: str
     status: str
     end: str | None

@@ -42,7 +42,8 @@ class SessionMaterial:
     opened_by: str | None
     record: SessionRecord
     counted: int  # trials
-    left_out: tuple[tuple[str, int, Text | str], ...]  # floor plan's title, trial's number, reason ("": not measured)
+    # floor plan's title, trial's number, reason ("": not measured)
+    left_out: tuple[tuple[Text | str, int, Text | str], ...]
     origin: Origin | None = None  # None: held in this clinic
 
 
@@ -52,7 +53,7 @@ class TaskMaterial:
 
     floorplan: str
     path_name: str
-    title: str
+    title: Text
     path: tuple[tuple[float, float], ...]
     group: SourceGroup
     source: Source
@@ -164,9 +165,7 @@ def _own_material(db: Transaction, patient: Patient, session: int | None, settin
 
 def _session(db: Transaction, row: PatientSession, driven: list[Trial], origin: Origin | None) -> SessionMaterial:
     done = [trial for trial in driven if trial.status == "done"]
-    left_out = [
-        (trial.floorplan_title, trial.number, trial.discard_reason or "") for trial in done if not _counts(trial)
-    ]
+    left_out = [(trial.place_title, trial.number, trial.discard_reason or "") for trial in done if not _counts(trial)]
     return SessionMaterial(
         id=row.id,
         number=row.number,
@@ -208,7 +207,7 @@ def _task(
     return TaskMaterial(
         floorplan=floorplan,
         path_name=path,
-        title=f"{newest.floorplan_title}: {path_title(settings.floorplans, floorplan, path)}",
+        title=Text("report-task-title", plan=newest.place_title, path=path_title(settings.floorplans, floorplan, path)),
         path=tuple((x, y) for x, y in newest.path_points),
         group=group,
         source=newest.run.source,

@@ -61,7 +61,7 @@ def task_report(task: TaskMaterial, session: int | None, *, name_source: bool) -
     said = () if curve is None else (curve["text"], curve["sessions"])
     source = [f"{source_description(task.source)}."] if name_source else []
     return TaskReport(
-        title=task.title,
+        title=str(task.title),
         lead=" ".join([*source, _trials_text(rows, session), _compared_text(compared)]),
         before="" if compared is None else str(Text("report-of-session", session=compared.earlier)),
         measures=tuple(_measure(name, rows, newest, compared) for name in names) + _reaching(rows, newest, compared),

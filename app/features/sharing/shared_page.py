@@ -57,9 +57,9 @@ NO_VISIT = Text("sharing-no-pin")
 class TaskLearning(Document):
     """Trials of one patient on one path with one kind of source."""
 
-    floorplan_title: str
+    floorplan_title: Text
     path_name: str
-    path_title: str  # its name where the floor plan has no such path any more
+    path_title: Text  # its name where the floor plan has no such path any more
     source: SourceGroup
     trials: list[dict[str, Any]]
     curves: dict[str, Any]
@@ -103,7 +103,7 @@ class SharedLearning:
         newest = [counted.trial for counted in shown[-MOST_TRAJECTORIES:]]
         recordings = [(trial.number, self.runs.folder_of(trial.run_id)) for trial in newest]
         return TaskLearning(
-            floorplan_title=newest[-1].floorplan_title,
+            floorplan_title=newest[-1].place_title,
             path_name=task.path,
             path_title=path_title(self.places.folder, task.floorplan, task.path),
             source=task.group,

@@ -20,6 +20,7 @@ from app.store.origins import origin_of
 from app.store.patients import find_session
 from app.store.session_contents import drives_of_session, trials_of_session
 from app.store.tables import LogEntry, ParameterSet, Patient, PatientSession, Profile, Run
+from app.texts import Text
 
 router = APIRouter(tags=["review"])
 CALIBRATION = ("rest", "free", "prompt")  # kinds of its runs
@@ -52,7 +53,7 @@ def _done(db: Session, session: PatientSession) -> Iterator[StoryEvent]:
             "simulated": trial.run.simulated,
             **interruptions_of(trial.measures),
         }
-        yield StoryEvent(trial.started, "trial", None, trial.floorplan_title, facts)
+        yield StoryEvent(trial.started, "trial", None, trial.place_title, facts)
     for test in interface_tests_of_session(db, session.id):
         facts = {"id": test.id, "number": test.number, "end": test.end, "simulated": test.run.simulated}
         yield StoryEvent(test.started, "test", None, "", facts)
@@ -98,7 +99,7 @@ class EventView(Answer):
     at: MomentText
     kind: EventKind
     person: str | None
-    text: str
+    text: Text
     facts: dict[str, Any]
 
 

@@ -7,7 +7,7 @@ from typing import Any
 import anyio
 import anyio.to_thread
 import pytest
-from api.fake_clinic import WHERE, Clinic
+from api.fake_clinic import WHERE, Clinic, next_message
 from clinic_rows import plan_at
 
 from app.api.one_controller import ANOTHER
@@ -27,6 +27,26 @@ def test_floor_plans_are_listed_with_their_paths(calibrated: Any) -> None:
     assert [plan["level"]["name"] for plan in desert] == ["easy", "medium", "hard"]
     assert calibrated.good("GET", "/floorplans/desert.hard")["ground"]["kind"] == "sand"
     assert calibrated("GET", "/floorplans/nowhere").status_code == 404
+
+
+def test_bundled_places_are_shown_in_the_language_of_the_reader(calibrated: Any) -> None:
+    plans = {plan["name"]: plan for plan in calibrated.good("GET", "/floorplans?language=de")}
+    desert = plans["desert.hard"]
+    assert (desert["title"], desert["scene"]["title"], desert["level"]["title"]) == ("Wüste, schwer", "Wüste", "Schwer")
+    assert plans["apartment"]["paths"][1]["title"] == "Zum Schlafzimmer"
+    drawn = calibrated.good("GET", "/floorplans/apartment?language=de")
+    assert (drawn["rooms"][0]["label"], drawn["obstacles"][0]["label"]) == ("Wohnzimmer", "sofa")
+    trial = calibrated.start_trial()
+    assert trial["floorplan_title"] == "Apartment"
+    shown = calibrated.good("GET", "/view/clinician/plan?language=es")
+    assert shown["floorplan"]["paths"][1]["title"] == "Al dormitorio"
+    with calibrated.socket("/live?language=es") as socket:
+        moment = next_message(socket, lambda m: m.get("trial"))["trial"]
+    assert (moment["title"], moment["instruction"][:15]) == ("Del sofá al cuarto de invitados", "Salga del salón")
+    calibrated.end_trial()
+    listed = calibrated.good("GET", f"/trials?patient={calibrated.patient['id']}&language=de")
+    assert [one["floorplan_title"] for one in listed] == ["Wohnung"]
+    assert calibrated.good("GET", f"/trials/{trial['id']}?language=es")["floorplan_title"] == "Vivienda"
 
 
 def test_a_trial_ends_at_the_goal_and_is_measured(calibrated: Any) -> None:

@@ -9,6 +9,8 @@ from app import __version__
 from app.features.reports.composition import NO_CONDITION, NO_GOAL, NO_NOTE, file_name, report_file
 from app.refusals import NotFound
 from app.store.tables import Trial
+from app.texts import reader_language
+from app.world.place_texts import plan_for_reader
 from app.world.scene import find_place
 
 
@@ -124,7 +126,12 @@ def test_a_trial_that_was_left_out_is_named_with_its_reason_and_counts_nowhere(r
 def test_a_report_is_in_the_language_that_was_asked_for(reported):
     material = material_of(*reported, SESSIONS)
     assert b'<html lang="en">' in report_file(material, "html", "a4")
-    assert b'<html lang="de">' in report_file(material, "html", "a4", "de")
+    german = report_file(material, "html", "a4", "de")
+    assert b'<html lang="de">' in german
+    with reader_language("de"):
+        place = plan_for_reader(find_place(PLAN))
+    assert f"{place.title}: {place.paths[0].title}".encode() in german
+    assert place.title != find_place(PLAN).title
 
 
 def test_the_name_of_the_file_names_nobody(reported):

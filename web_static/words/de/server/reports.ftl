@@ -247,6 +247,8 @@ report-compared-none = Zum Vergleich gibt es keine frühere Sitzung mit Durchgä
 report-band = { $measure }: { $before }, jetzt { $now }; übliche Schwankung { $noise }.
 # A range of a measure; a unit may follow.
 report-range = { $low } bis { $high }
+# plan: title of a floor plan or scene; path: title of one of its paths.
+report-task-title = { $plan }: { $path }
 report-trajectories-title = Fahrspuren über der Strecke
 # $others are the trajectories that those of session $newest are compared with; $chosen is 0 when all are drawn.
 report-trajectories =

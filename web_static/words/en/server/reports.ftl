@@ -247,6 +247,8 @@ report-compared-none = There is no earlier session with trials of this task to c
 report-band = { $measure }: { $before }, now { $now }; within noise from { $noise }.
 # A range of a measure; a unit may follow.
 report-range = { $low } to { $high }
+# plan: title of a floor plan or scene; path: title of one of its paths.
+report-task-title = { $plan }: { $path }
 report-trajectories-title = Trajectories over the path
 # $others are the trajectories that those of session $newest are compared with; $chosen is 0 when all are drawn.
 report-trajectories =

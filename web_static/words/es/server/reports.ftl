@@ -247,6 +247,8 @@ report-compared-none = No hay ninguna sesión anterior con ensayos de esta tarea
 report-band = { $measure }: { $before }, ahora { $now }; dentro de la variabilidad, { $noise }.
 # A range of a measure; a unit may follow.
 report-range = de { $low } a { $high }
+# plan: title of a floor plan or scene; path: title of one of its paths.
+report-task-title = { $plan }: { $path }
 report-trajectories-title = Trayectorias sobre el recorrido
 # $others are the trajectories that those of session $newest are compared with; $chosen is 0 when all are drawn.
 report-trajectories =
