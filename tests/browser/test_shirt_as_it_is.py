@@ -104,3 +104,19 @@ def test_frames_of_another_number_of_sensors_are_no_signals(own_demo, open_page)
             expect(obstacle).to_have_count(0 if is_shirt else 1)
             sender.channels = 40 if is_shirt else 52
             expect(obstacle).to_have_count(1 if is_shirt else 0)
+
+
+def test_what_is_open_and_typed_stays_when_another_screen_changes_the_equipment(page, served):
+    go(page, "shirt")
+    source, head = page.locator("[data-card=source]"), page.locator("[data-card=head]")
+    source.locator("summary").click()
+    source.get_by_text("A shirt over the network", exact=True).click()
+    port = source.get_by_label("Port")
+    port.fill("5999")
+    field = port.element_handle()
+    for config, words in (({"kind": "simulator", "seed": 1}, "Simulated head."), (None, "None: the view looks straight ahead.")):
+        served.good("PUT", "/equipment/head", {"config": config})
+        expect(head).to_contain_text(words)
+        expect(port).to_be_focused()
+        expect(port).to_have_value("5999")
+        assert field.evaluate("(input) => input.isConnected")

@@ -1,34 +1,17 @@
-// What a tablet tells of itself, with a page that is made of nothing. Run by test_modules.py with the folder js.
+// What a tablet tells of itself, without a page: the component is called as a function. Run by test_modules.py with the folder js.
 import assert from "node:assert/strict";
 import { pathToFileURL } from "node:url";
 
-class Element extends EventTarget {
-  children = [];
-  textContent = "";
-  disabled = false;
-  append(...children) {
-    this.children.push(...children);
-  }
-  replaceChildren(...children) {
-    this.children = children;
-  }
-  setAttribute() {}
-}
 let time = 0;
 const timers = new Map();
 const define = (name, value) => Object.defineProperty(globalThis, name, { value, configurable: true, writable: true });
-define("Node", Element);
-define("document", {
-  createElement: () => new Element(),
-  createTextNode: (text) => Object.assign(new Element(), { textContent: text }),
-});
 define("window", Object.assign(new EventTarget(), { isSecureContext: true, DeviceOrientationEvent: {} }));
 define("screen", { orientation: { angle: 0 } });
 define("performance", { now: () => time });
 define("setTimeout", (run) => timers.set(run, run) && run);
 define("clearTimeout", (run) => timers.delete(run));
 
-const { endTabletHead, orientation, tabletHead } = await import(
+const { endTabletHead, orientation, TabletHead } = await import(
   pathToFileURL(`${process.argv[2]}/pages/shirt/tablet_head.js`)
 );
 
@@ -60,36 +43,37 @@ looks([90, 0, -90, 90], [0, 0, 0]);
 const sent = [];
 const app = { live: { send: (message) => sent.push(message) } };
 const event = (alpha, beta, gamma) => Object.assign(new Event("deviceorientation"), { alpha, beta, gamma });
-const pressed = async () => {
-  const [button, words] = tabletHead(app).children;
-  button.dispatchEvent(new Event("click"));
-  await new Promise((resolve) => setImmediate(resolve));
-  return { button, words: () => words.textContent };
+const shown = () => {
+  const [button, words] = TabletHead({ app }).props.children;
+  return { press: button.props.onClick, isDisabled: button.props.disabled, words: words.props.children };
+};
+const press = async () => {
+  await shown().press();
+  return shown();
 };
 window.isSecureContext = false;
-assert.match((await pressed()).words(), /https/);
+assert.match((await press()).words, /https/);
 window.isSecureContext = true;
 const sensor = window.DeviceOrientationEvent;
 delete window.DeviceOrientationEvent;
-assert.match((await pressed()).words(), /no such sensor/);
+assert.match((await press()).words, /no such sensor/);
 window.DeviceOrientationEvent = { requestPermission: async () => "denied" };
-assert.match((await pressed()).words(), /does not permit/);
+assert.match((await press()).words, /does not permit/);
 window.DeviceOrientationEvent = sensor;
 
-let shown = await pressed();
-assert.ok(shown.button.disabled);
+assert.ok((await press()).isDisabled);
 window.dispatchEvent(event(null, null, null));
 for (const run of timers.keys()) run();
-assert.match(shown.words(), /no such sensor/, "events without angles are those of a machine without a sensor");
-assert.ok(!shown.button.disabled);
+assert.match(shown().words, /no such sensor/, "events without angles are those of a machine without a sensor");
+assert.ok(!shown().isDisabled);
 
-shown = await pressed();
+await press();
 for (time = 0; time < 1000; time += 10) window.dispatchEvent(event(30, 90, 0));
 assert.ok(sent.length >= 20 && sent.length <= 30, `${sent.length} a second`);
 assert.ok(Math.abs(sent[0].look.yaw - 30 * RADIANS) < 1e-9);
 assert.equal(timers.size, 0);
-assert.match(shown.words(), /reports its direction/);
+assert.match(shown().words, /reports its direction/);
 endTabletHead();
 window.dispatchEvent(event(30, 90, 0));
-assert.ok(sent.length <= 30 && !shown.button.disabled);
+assert.ok(sent.length <= 30 && !shown().isDisabled);
 console.log("all of it holds");

@@ -4,48 +4,78 @@ import { readFileSync } from "node:fs";
 import { pathToFileURL } from "node:url";
 
 class Element extends EventTarget {
-  children = [];
+  childNodes = [];
   attributes = {};
+  parentNode = null;
+  namespaceURI = "http://www.w3.org/1999/xhtml";
   value = "";
   checked = false;
-  constructor(tag, text = "") {
+  constructor(tag, data = "") {
     super();
-    this.tag = tag;
-    this.text = text;
+    this.localName = tag;
+    this.data = data;
+  }
+  get children() {
+    return this.childNodes.filter(({ localName }) => localName);
+  }
+  get firstChild() {
+    return this.childNodes[0] ?? null;
+  }
+  get nextSibling() {
+    const all = this.parentNode?.childNodes ?? [];
+    return all[all.indexOf(this) + 1] ?? null;
   }
   get textContent() {
-    return this.text + this.children.map((child) => child.textContent).join("");
+    return this.data + this.childNodes.map((child) => child.textContent).join("");
   }
   set textContent(text) {
-    this.text = text;
+    this.data = text;
+  }
+  set defaultValue(value) {
+    this.value = value;
   }
   append(...children) {
-    this.children.push(...children);
+    for (const child of children) this.insertBefore(child, null);
+  }
+  insertBefore(child, next) {
+    child.parentNode?.removeChild(child);
+    child.parentNode = this;
+    this.childNodes.splice(next ? this.childNodes.indexOf(next) : this.childNodes.length, 0, child);
+  }
+  removeChild(child) {
+    this.childNodes.splice(this.childNodes.indexOf(child), 1);
+    child.parentNode = null;
   }
   setAttribute(name, value) {
-    this.attributes[name] = value;
-    if (name === "value") this.value = value;
-    if (name === "checked") this.checked = true;
+    this.attributes[name] = value === true ? "" : String(value);
   }
   removeAttribute(name) {
     delete this.attributes[name];
   }
   *all(tag) {
-    if (this.tag === tag) yield this;
-    for (const child of this.children) yield* child.all(tag);
+    if (this.localName === tag) yield this;
+    for (const child of this.childNodes) yield* child.all(tag);
   }
 }
 const define = (name, value) => Object.defineProperty(globalThis, name, { value, configurable: true });
 define("Node", Element);
-define("document", { createElement: (tag) => new Element(tag), createTextNode: (text) => new Element("", text) });
+define("document", {
+  createElement: (tag) => new Element(tag),
+  createElementNS: (_namespace, tag) => new Element(tag),
+  createTextNode: (text) => new Element("", text),
+});
 
 const { form, around, entries } = JSON.parse(readFileSync(process.argv[3], "utf8"));
 const { configFields } = await import(pathToFileURL(`${process.argv[2]}/pages/shirt/config_fields.js`));
+const { Fragment, h, render, signal } = await import(pathToFileURL(`${process.argv[2]}/preact.js`));
 const { sourceWords } = await import(pathToFileURL(`${process.argv[2]}/pages/shirt/source_form.js`));
 
-const { fields, config } = configFields(form, { app: {}, ...around });
+const { layout, files, keys } = Object.fromEntries(
+  Object.entries(around).map(([name, value]) => [name, signal(value)]),
+);
+const { fields, config } = configFields(form, { app: {}, now: around.now, layout, files, keys });
 const page = new Element("form");
-page.append(...fields.filter(Boolean));
+render(h(Fragment, {}, fields), page);
 
 const labelled = {};
 for (const field of page.all("div")) {
@@ -76,6 +106,7 @@ for (const [label, value] of Object.entries(entries)) {
     else if (typeof value === "object")
       input.files = [{ name: "layout.json", text: async () => JSON.stringify(value) }];
     else input.value = value;
+    input.dispatchEvent(new Event("input"));
     input.dispatchEvent(new Event("change"));
   }
 }

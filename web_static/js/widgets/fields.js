@@ -1,7 +1,9 @@
 /**
  * Form pieces: labelled fields, choices, segments, steppers, and the form of one long text.
  * @import { Child } from "types/dom"
+ * @import { ComponentChildren, VNode } from "../preact.js"
  */
+import { cloneElement, h as draw, useState } from "../preact.js";
 import { t } from "../texts.js";
 import { h, set, write } from "./dom.js";
 import { number } from "./format.js";
@@ -23,6 +25,19 @@ export function field(label, input, hint) {
     h("label", { for: id }, label),
     input,
     hint && h("span", { class: "hint", id: `${id}-hint` }, hint),
+  );
+}
+
+/** A labelled control as a component; its child is the control. @param {{label: string, hint?: string, children?: ComponentChildren}} field */
+export function Field({ label, hint, children: control }) {
+  const [id] = useState(() => `field-${++made}`);
+  const hintId = hint ? `${id}-hint` : undefined;
+  return draw(
+    "div",
+    { class: "field" },
+    draw("label", { for: id }, label),
+    cloneElement(/** @type {VNode<any>} */ (control), { id, "aria-describedby": hintId }),
+    hint && draw("span", { class: "hint", id: hintId }, hint),
   );
 }
 
@@ -50,6 +65,23 @@ export function selection(options, chosen, onChange) {
   );
   if (onChange) select.addEventListener("change", () => onChange(/** @type {Value} */ (select.value)));
   return select;
+}
+
+/**
+ * A selection without groups as a component; other attributes are those of its element.
+ * @template {string} Value
+ * @param {{options: Option<Value>[], chosen: NoInfer<Value> | null, onChange: (value: NoInfer<Value>) => void}} selection
+ */
+export function Selection({ options, chosen, onChange, ...attributes }) {
+  return draw(
+    "select",
+    {
+      ...attributes,
+      onChange: (/** @type {Event} */ { currentTarget }) =>
+        onChange(/** @type {Value} */ (/** @type {HTMLSelectElement} */ (currentTarget).value)),
+    },
+    options.map(({ value, label }) => draw("option", { key: value, value, selected: value === chosen }, label)),
+  );
 }
 
 /**
@@ -121,11 +153,59 @@ export function choices(label, options, chosen, onChange) {
   );
 }
 
+/**
+ * Choices with an explanation each, as a component.
+ * @template {string} Value
+ * @param {{label: string, options: (Choice<Value> | ChoiceGroup<Value>)[], chosen: NoInfer<Value> | null,
+ *   onChange: (value: NoInfer<Value>) => void}} choices
+ */
+export function Choices({ label, options, chosen, onChange }) {
+  const [name] = useState(() => `choices-${++made}`);
+  /** @param {Choice<Value>} choice */
+  const one = ({ value, label: words, hint }) =>
+    draw(
+      "label",
+      { class: "choice", key: value },
+      draw("input", { type: "radio", name, value, checked: value === chosen, onChange: () => onChange(value) }),
+      draw("span", { class: "grow" }, draw("b", {}, words), hint && draw("span", {}, hint)),
+    );
+  /** @param {ChoiceGroup<Value>} group */
+  const group = ({ words, options: members }) =>
+    draw(
+      "div",
+      { class: "stack", role: "group", "aria-label": words, key: words },
+      draw("h3", {}, words),
+      members.map(one),
+    );
+  return draw(
+    "div",
+    { class: "stack", role: "radiogroup", "aria-label": label },
+    options.map((option) => ("options" in option ? group(option) : one(option))),
+  );
+}
+
 /** @param {string} label @param {boolean} on @param {(on: boolean) => void} onChange */
 export function toggle(label, on, onChange) {
   const input = h("input", { type: "checkbox", role: "switch", checked: on });
   input.addEventListener("change", () => onChange(input.checked));
   return h("label", { class: "switch" }, input, h("span", {}, label));
+}
+
+/** A switch as a component. @param {{label: string, on: boolean, onChange: (on: boolean) => void}} toggle */
+export function Toggle({ label, on, onChange }) {
+  return draw(
+    "label",
+    { class: "switch" },
+    draw("input", {
+      type: "checkbox",
+      role: "switch",
+      defaultChecked: on, // what differs from it is a change that was not sent
+      checked: on,
+      onChange: (/** @type {Event} */ { currentTarget }) =>
+        onChange(/** @type {HTMLInputElement} */ (currentTarget).checked),
+    }),
+    draw("span", {}, label),
+  );
 }
 
 /**

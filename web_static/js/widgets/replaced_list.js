@@ -2,9 +2,9 @@
  * What was replaced in the last 30 days, each with a button that puts it back under a free name.
  * @import { ReplacedView } from "types/api"
  */
+import { Fragment, h, render, signal } from "../preact.js";
 import { REFERENCE } from "../reference.js";
 import { t } from "../texts.js";
-import { h, put } from "./dom.js";
 import { day } from "./format.js";
 
 /**
@@ -14,21 +14,11 @@ import { day } from "./format.js";
  * @returns {{element: HTMLElement, show: () => Promise<void>}} hidden while there is nothing
  */
 export function replacedList(app, kinds, onBack) {
-  const rows = h("div", { class: "plan-rows" });
-  const element = h(
-    "details",
-    { hidden: true },
-    h("summary", {}, t("replaced-title", { days: REFERENCE.numbers.replaced_days })),
-    rows,
-  );
-  let shown = ""; // a list that is the same stays as it is, for whoever is about to tap in it
+  const list = signal(/** @type {ReplacedView[]} */ ([]));
+  const element = document.createElement("details");
   const show = async () => {
-    const list = (await app.api.get("/replaced")).filter(({ kind }) => kinds.includes(kind));
-    const read = JSON.stringify(list);
-    if (read === shown) return;
-    shown = read;
-    put(rows, list.map(row));
-    element.hidden = !list.length;
+    list.value = (await app.api.get("/replaced")).filter(({ kind }) => kinds.includes(kind));
+    element.hidden = !list.value.length;
   };
   /** @param {ReplacedView} one */
   const putBack = (one) =>
@@ -38,28 +28,43 @@ export function replacedList(app, kinds, onBack) {
       await onBack();
       await show();
     });
-  /** @param {ReplacedView} one */
-  const row = (one) =>
+  const Rows = () =>
     h(
-      "div",
-      { class: "card plan-row" },
+      Fragment,
+      {},
+      h("summary", {}, t("replaced-title", { days: REFERENCE.numbers.replaced_days })),
       h(
         "div",
-        { class: "grow" },
-        h("b", {}, one.name),
-        h("span", { class: "quiet small" }, t("replaced-when", { day: day(one.replaced), until: day(one.until) })),
-      ),
-      h(
-        "button",
-        {
-          type: "button",
-          class: "btn small",
-          "aria-label": t("replaced-put-back-label", { name: one.name }),
-          onclick: () => putBack(one),
-        },
-        t("replaced-put-back"),
+        { class: "plan-rows" },
+        list.value.map((one) => h(Row, { key: `${one.kind} ${one.id}`, one, onPutBack: () => putBack(one) })),
       ),
     );
+  element.hidden = true;
+  render(h(Rows, {}), element);
   app.toasts.attempt(show);
   return { element, show };
+}
+
+/** @param {{one: ReplacedView, onPutBack: () => void}} row */
+function Row({ one: { name, replaced, until }, onPutBack }) {
+  return h(
+    "div",
+    { class: "card plan-row" },
+    h(
+      "div",
+      { class: "grow" },
+      h("b", {}, name),
+      h("span", { class: "quiet small" }, t("replaced-when", { day: day(replaced), until: day(until) })),
+    ),
+    h(
+      "button",
+      {
+        type: "button",
+        class: "btn small",
+        "aria-label": t("replaced-put-back-label", { name }),
+        onClick: onPutBack,
+      },
+      t("replaced-put-back"),
+    ),
+  );
 }

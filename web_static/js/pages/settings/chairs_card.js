@@ -3,51 +3,66 @@
  * @import { ChairsView, NewChair, PairedView } from "types/api"
  * @typedef {ChairsView["chairs"][number]} Chair
  */
+import { focusFirst, h, useLayoutEffect, useRef, useSignal } from "../../preact.js";
 import { t } from "../../texts.js";
-import { h, put } from "../../widgets/dom.js";
 import { day, number } from "../../widgets/format.js";
-import { icon } from "../../widgets/icons.js";
-import { rowList } from "../../widgets/list.js";
-import { pairForm } from "./pair_form.js";
+import { Icon } from "../../widgets/icons.js";
+import { Made, useUntilGone } from "../../widgets/made.js";
+import { PairForm } from "./pair_form.js";
 import { pairedCard } from "../../widgets/one_time_key.js";
 
-/** @param {import("../../main.js").App} app @param {ChairsView} chairs @param {boolean} isOwner @param {AbortSignal} signal */
-export function chairsCard(app, chairs, isOwner, signal) {
-  const list = rowList("paired-chairs");
-  const below = h("div", {});
-  /** @type {number | null} id of the chair that somebody is about to unpair */
-  let unpairing = null;
-  const draw = () =>
-    list.show(
-      chairs.chairs.map((chair) => row(chair)),
-      h("p", { class: "quiet" }, t("chairs-none")),
-    );
-  /** @param {CustomEvent<string>} event */
-  const readAgain = async ({ detail }) => {
-    if (detail !== "equipment" && detail !== "everything") return;
-    chairs = await app.api.get("/chairs").catch(() => chairs);
-    draw();
-  };
-  /** @param {Chair | null} chair */
-  const ask = (chair) => {
-    unpairing = chair?.id ?? null;
-    draw();
-    /** @type {HTMLElement | null} */ (list.querySelector("[data-first]"))?.focus();
-  };
+/**
+ * @param {{app: import("../../main.js").App, first: ChairsView, isOwner: boolean, left: AbortSignal}} card
+ *   first: what GET /chairs answered
+ */
+export function ChairsCard({ app, first, isOwner, left }) {
+  const list = useSignal(first.chairs);
+  const unpairing = useSignal(/** @type {number | null} */ (null)); // id of the chair that somebody is about to unpair
+  // What is open below the list: the form, or the key of the chair that was just paired.
+  const opened = useSignal(/** @type {"form" | {answer: PairedView, chair: Required<NewChair>} | null} */ (null));
+  const close = () => void (opened.value = null);
+  useUntilGone(left, (signal) =>
+    app.live.addEventListener(
+      "changed",
+      async ({ detail }) => {
+        if (detail !== "equipment" && detail !== "everything") return;
+        const answer = await app.api.get("/chairs").catch(() => null);
+        if (answer) list.value = answer.chairs;
+      },
+      { signal },
+    ),
+  );
   /** @param {Chair} chair */
-  const unpair = async (chair) => {
-    unpairing = null;
-    await app.toasts.attempt(async () => {
-      chairs = await app.api.remove(`/chairs/${chair.id}`);
+  const unpair = (chair) => {
+    unpairing.value = null;
+    return app.toasts.attempt(async () => {
+      list.value = (await app.api.remove(`/chairs/${chair.id}`)).chairs;
       app.toasts.show(t("chairs-unpaired", { name: chair.name }));
     });
-    draw();
+  };
+  /** @param {PairedView} answer @param {Required<NewChair>} chair */
+  const showKey = (answer, chair) => {
+    list.value = answer.chairs;
+    opened.value = { answer, chair };
+  };
+  const below = () => {
+    if (opened.value === "form") return h(PairForm, { app, onPaired: showKey, onClose: close });
+    if (opened.value) return h(Key, { app, left, ...opened.value, onDone: close });
+    return (
+      isOwner &&
+      h(
+        "button",
+        { type: "button", class: "btn", onClick: () => (opened.value = "form") },
+        h(Icon, { name: "plus", size: 20 }),
+        t("chairs-pair"),
+      )
+    );
   };
   /** @param {Chair} chair */
   const row = (chair) =>
     h(
       "div",
-      { class: "paired-chair" },
+      { class: "paired-chair", role: "listitem", key: chair.id },
       h(
         "div",
         { class: "row" },
@@ -67,41 +82,30 @@ export function chairsCard(app, chairs, isOwner, signal) {
               class: "icon-button",
               "aria-label": t("chairs-unpair-label", { name: chair.name }),
               title: t("chairs-unpair"),
-              onclick: () => ask(chair),
+              onClick: () => (unpairing.value = chair.id),
             },
-            icon("bin", 22),
+            h(Icon, { name: "bin", size: 22 }),
           ),
       ),
-      unpairing === chair.id && confirmation(chair, unpair, () => ask(null)),
+      unpairing.value === chair.id &&
+        confirmation(
+          chair.name,
+          () => unpair(chair),
+          () => (unpairing.value = null),
+        ),
     );
-  const offer = () =>
-    put(
-      below,
-      isOwner && h("button", { type: "button", class: "btn", onclick: openForm }, icon("plus", 20), t("chairs-pair")),
-    );
-  const openForm = () => {
-    put(below, pairForm(app, { onPaired: showKey, onClose: offer }));
-    below.querySelector("input")?.focus();
-  };
-  /** @param {PairedView} answer @param {Required<NewChair>} chair */
-  const showKey = (answer, chair) => {
-    chairs = answer;
-    draw();
-    const card = pairedCard(app, answer, chair, offer);
-    put(below, card);
-    card.querySelector("h2")?.focus();
-    card.scrollIntoView({ block: "nearest" });
-  };
-  app.live.addEventListener("changed", readAgain, { signal });
-  draw();
-  offer();
+  const chairs = list.value;
   return h(
     "section",
     { class: "card" },
     h("h2", {}, t("chairs-title")),
     h("p", { class: "quiet small" }, t("chairs-lead")),
-    list,
-    below,
+    h(
+      "div",
+      { class: "paired-chairs", role: chairs.length ? "list" : undefined },
+      chairs.length ? chairs.map(row) : h("p", { class: "quiet" }, t("chairs-none")),
+    ),
+    h("div", {}, below()),
   );
 }
 
@@ -111,18 +115,32 @@ function factsOf({ speeds, key_id: key, paired }) {
   return `${t("chairs-facts", figures)} · ${t("chairs-key", { key })}`;
 }
 
-/** @param {Chair} chair @param {(chair: Chair) => void} onUnpair @param {() => void} onClose */
-function confirmation(chair, onUnpair, onClose) {
+/**
+ * The key of a chair, which is shown this once.
+ * @param {{app: import("../../main.js").App, left: AbortSignal, answer: PairedView, chair: Required<NewChair>,
+ *   onDone: () => void}} key
+ */
+function Key({ app, left, answer, chair, onDone }) {
+  const place = useRef(/** @type {HTMLDivElement | null} */ (null));
+  useLayoutEffect(() => {
+    place.current?.querySelector("h2")?.focus();
+    place.current?.scrollIntoView({ block: "nearest" });
+  }, []);
+  return h("div", { ref: place }, h(Made, { left, make: () => pairedCard(app, answer, chair, onDone) }));
+}
+
+/** @param {string} name of a chair @param {() => unknown} onUnpair @param {() => unknown} onClose */
+function confirmation(name, onUnpair, onClose) {
   return h(
     "div",
-    { class: "confirm", role: "group", "aria-label": t("chairs-unpair-label", { name: chair.name }) },
-    h("b", {}, t("chairs-unpair-title", { name: chair.name })),
+    { class: "confirm", role: "group", "aria-label": t("chairs-unpair-label", { name }) },
+    h("b", {}, t("chairs-unpair-title", { name })),
     h("p", {}, t("chairs-unpair-lead")),
     h(
       "div",
       { class: "spread" },
-      h("button", { type: "button", class: "btn go", onclick: () => onUnpair(chair) }, t("chairs-unpair")),
-      h("button", { type: "button", class: "btn", "data-first": true, onclick: onClose }, t("cancel")),
+      h("button", { type: "button", class: "btn go", onClick: onUnpair }, t("chairs-unpair")),
+      h("button", { type: "button", class: "btn", ref: focusFirst, onClick: onClose }, t("cancel")),
     ),
   );
 }

@@ -3,55 +3,62 @@
  * @import { Speeds } from "types/api"
  */
 import { failureWords } from "../../api.js";
+import { h, useMemo, useSignal } from "../../preact.js";
 import { t } from "../../texts.js";
-import { h, put, write } from "../../widgets/dom.js";
 import { facts } from "../../widgets/facts.js";
+import { Made, useUntilGone } from "../../widgets/made.js";
 import { SPEEDS, speedRows, speedWords } from "../../widgets/speed_rows.js";
 
 const REST = 500; // ms without another change, then it is sent
 
-/** @param {import("../../main.js").App} app @param {Speeds} clinic what GET /limits answered @param {boolean} isOwner @param {AbortSignal} signal */
-export function limitsCard(app, clinic, isOwner, signal) {
-  const state = h("span", { class: "quiet small", role: "status" });
-  const problem = h("p", { class: "problem", role: "alert" });
-  const place = h("div", {});
-  let limits = clinic;
-  let wishes = { ...clinic };
-  let timer = 0;
-  const draw = () =>
-    put(place, isOwner ? speedRows(wishes, {}, change, { hasNumbers: true }).elements : inWords(limits));
-  /** @param {keyof Speeds} name @param {number} value */
-  const change = (name, value) => {
-    wishes[name] = value;
-    write(state, t("limits-saving"));
-    clearTimeout(timer);
-    timer = setTimeout(send, REST);
-  };
+/**
+ * @param {{app: import("../../main.js").App, first: Speeds, isOwner: boolean, left: AbortSignal}} card
+ *   first: what GET /limits answered
+ */
+export function LimitsCard({ app, first, isOwner, left }) {
+  const state = useSignal("");
+  const problem = useSignal("");
+  const refusals = useSignal(0);
+  const draft = useMemo(() => ({ limits: first, wishes: { ...first }, timer: 0 }), []);
   const send = async () => {
-    timer = 0;
-    write(problem, "");
+    draft.timer = 0;
+    problem.value = "";
     try {
-      limits = await app.api.put("/limits", wishes);
-      write(state, t("limits-saved"));
+      draft.limits = await app.api.put("/limits", draft.wishes);
+      state.value = t("limits-saved");
     } catch (error) {
-      write(state, "");
-      write(problem, failureWords(error));
-      wishes = { ...limits };
-      draw();
+      state.value = "";
+      problem.value = failureWords(error);
+      draft.wishes = { ...draft.limits };
+      refusals.value++; // the steppers stand as before
     }
   };
-  signal.addEventListener("abort", () => {
-    clearTimeout(timer);
-    if (timer) send();
-  });
-  draw();
+  /** @param {keyof Speeds} name @param {number} value */
+  const change = (name, value) => {
+    draft.wishes[name] = value;
+    state.value = t("limits-saving");
+    clearTimeout(draft.timer);
+    draft.timer = setTimeout(send, REST);
+  };
+  useUntilGone(left, (gone) =>
+    gone.addEventListener("abort", () => {
+      clearTimeout(draft.timer);
+      if (draft.timer) send();
+    }),
+  );
+  const make = () => {
+    const place = document.createDocumentFragment();
+    if (isOwner) place.append(...speedRows(draft.wishes, {}, change, { hasNumbers: true }).elements);
+    else place.append(inWords(draft.limits));
+    return place;
+  };
   return h(
     "section",
     { class: "card" },
-    h("h2", {}, t("limits-title"), state),
+    h("h2", {}, t("limits-title"), h("span", { class: "quiet small", role: "status" }, state)),
     h("p", { class: "quiet small" }, t("limits-lead")),
-    problem,
-    place,
+    h("p", { class: "problem", role: "alert" }, problem),
+    h(Made, { key: refusals.value, left, make }),
   );
 }
 

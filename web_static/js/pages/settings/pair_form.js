@@ -1,63 +1,82 @@
 /**
  * The form that pairs a chair: what it is called, where it is, and what it may do.
  * @import { NewChair, PairedView, Speeds } from "types/api"
- * @import { Attributes } from "types/dom"
  */
 import { limitsOf, numberLimits, REFERENCE, textLimits } from "../../reference.js";
 import { failureWords } from "../../api.js";
+import { focusFirst, h, useMemo, useSignal } from "../../preact.js";
 import { t } from "../../texts.js";
-import { h } from "../../widgets/dom.js";
-import { field } from "../../widgets/fields.js";
+import { Field } from "../../widgets/fields.js";
 import { speedRows } from "../../widgets/speed_rows.js";
 
 /**
- * @param {import("../../main.js").App} app
- * @param {{onPaired: (answer: PairedView, chair: Required<NewChair>) => void, onClose: () => void}} then
+ * @param {object} form
+ * @param {import("../../main.js").App} form.app
+ * @param {(answer: PairedView, chair: Required<NewChair>) => void} form.onPaired @param {() => void} form.onClose
  */
-export function pairForm(app, { onPaired, onClose }) {
-  /** @param {Attributes} more */
-  const text = (more) => h("input", { type: "text", required: true, autocomplete: "off", ...more });
-  const name = text(textLimits("NewChair", "name"));
-  const host = text({ ...textLimits("NewChair", "host"), inputmode: "url", spellcheck: "false" });
-  const port = h("input", {
-    type: "number",
-    required: true,
-    ...numberLimits("NewChair", "port"),
-    value: limitsOf("NewChair", "port").usual,
-  });
-  /** @type {Speeds} */
-  const speeds = { ...REFERENCE.numbers.first_speeds };
-  const problem = h("p", { class: "problem", role: "alert" });
-  const go = h("button", { class: "btn go" }, t("pair-go"));
-  /** @param {SubmitEvent} event */
+export function PairForm({ app, onPaired, onClose }) {
+  const problem = useSignal("");
+  const isSending = useSignal(false); // a second tap would pair a second chair
+  const speeds = useMemo(() => /** @type {Speeds} */ ({ ...REFERENCE.numbers.first_speeds }), []);
+  /** @type {(details: HTMLElement | null) => void} */
+  const appendSpeeds = useMemo(() => {
+    const rows = speedRows(speeds, {}, (which, value) => (speeds[which] = value), { hasNumbers: true }).elements;
+    return (details) => details?.append(...rows);
+  }, []);
+  /** @param {Event} event */
   const submit = async (event) => {
     event.preventDefault();
-    problem.textContent = "";
-    go.disabled = true; // a second tap would pair a second chair
-    const chair = { name: name.value.trim(), host: host.value.trim(), port: Number(port.value), speeds };
+    const entered = new FormData(/** @type {HTMLFormElement} */ (event.currentTarget));
+    const [name, host] = ["name", "host"].map((field) => String(entered.get(field)).trim());
+    const chair = { name, host, port: Number(entered.get("port")), speeds };
+    problem.value = "";
+    isSending.value = true;
     try {
       onPaired(await app.api.post("/chairs", chair), chair);
     } catch (error) {
-      problem.textContent = failureWords(error);
+      problem.value = failureWords(error);
     }
-    go.disabled = false;
+    isSending.value = false;
   };
+  const text = { type: "text", required: true, autocomplete: "off" };
   return h(
     "form",
-    { class: "pair-form stack", onsubmit: submit },
+    { class: "pair-form stack", onSubmit: submit },
     h("h2", {}, t("pair-title")),
     h("p", { class: "quiet small" }, t("pair-lead")),
-    field(t("pair-name"), name, t("pair-name-hint")),
-    field(t("pair-host"), host, t("pair-host-hint")),
-    field(t("pair-port"), port, t("pair-port-hint")),
+    h(
+      Field,
+      { label: t("pair-name"), hint: t("pair-name-hint") },
+      h("input", { name: "name", ...text, ...textLimits("NewChair", "name"), ref: focusFirst }),
+    ),
+    h(
+      Field,
+      { label: t("pair-host"), hint: t("pair-host-hint") },
+      h("input", { name: "host", ...text, ...textLimits("NewChair", "host"), inputmode: "url", spellcheck: false }),
+    ),
+    h(
+      Field,
+      { label: t("pair-port"), hint: t("pair-port-hint") },
+      h("input", {
+        name: "port",
+        type: "number",
+        required: true,
+        ...numberLimits("NewChair", "port"),
+        defaultValue: String(limitsOf("NewChair", "port").usual),
+      }),
+    ),
     h(
       "details",
-      {},
+      { ref: appendSpeeds },
       h("summary", {}, t("pair-speeds")),
       h("p", { class: "quiet small" }, t("pair-speeds-hint")),
-      speedRows(speeds, {}, (which, value) => (speeds[which] = value), { hasNumbers: true }).elements,
     ),
-    problem,
-    h("div", { class: "spread" }, go, h("button", { type: "button", class: "btn", onclick: onClose }, t("cancel"))),
+    h("p", { class: "problem", role: "alert" }, problem),
+    h(
+      "div",
+      { class: "spread" },
+      h("button", { class: "btn go", disabled: isSending }, t("pair-go")),
+      h("button", { type: "button", class: "btn", onClick: onClose }, t("cancel")),
+    ),
   );
 }

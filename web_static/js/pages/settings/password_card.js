@@ -1,29 +1,31 @@
 /** The change of the own password: it needs the old one, and signs this person out everywhere else. */
+import { h, useRef, useSignal } from "../../preact.js";
 import { REFERENCE } from "../../reference.js";
 import { failureWords } from "../../api.js";
 import { t } from "../../texts.js";
-import { h } from "../../widgets/dom.js";
-import { field } from "../../widgets/fields.js";
+import { Field } from "../../widgets/fields.js";
 
-/** @param {import("../../main.js").App} app */
-export function passwordCard(app) {
-  const old = h("input", { type: "password", autocomplete: "current-password", required: true });
-  const chosen = h("input", { type: "password", autocomplete: "new-password", required: true });
-  const problem = h("p", { class: "problem", role: "alert" });
-  const go = h("button", { class: "btn" }, t("password-go"));
-  /** @param {SubmitEvent} event */
+/** @param {{app: import("../../main.js").App}} card */
+export function PasswordCard({ app }) {
+  const old = useRef(/** @type {HTMLInputElement | null} */ (null));
+  const chosen = useRef(/** @type {HTMLInputElement | null} */ (null));
+  const problem = useSignal("");
+  const isSending = useSignal(false);
+  /** @param {Event} event */
   const submit = async (event) => {
     event.preventDefault();
-    problem.textContent = "";
-    go.disabled = true;
+    const [before, after] = [old.current, chosen.current];
+    if (!before || !after) return;
+    problem.value = "";
+    isSending.value = true;
     try {
-      await app.api.put("/auth/password", { old: old.value, new: chosen.value });
-      old.value = chosen.value = "";
+      await app.api.put("/auth/password", { old: before.value, new: after.value });
+      before.value = after.value = "";
       app.toasts.show(t("password-changed"));
     } catch (error) {
-      problem.textContent = failureWords(error);
+      problem.value = failureWords(error);
     }
-    go.disabled = false;
+    isSending.value = false;
   };
   return h(
     "section",
@@ -32,11 +34,19 @@ export function passwordCard(app) {
     h("p", { class: "quiet small" }, t("password-lead", { name: app.me?.name })),
     h(
       "form",
-      { class: "stack", onsubmit: submit },
-      field(t("password-old"), old),
-      field(t("password-new"), chosen, t("setup-password-hint", { count: REFERENCE.numbers.password_length })),
-      problem,
-      h("div", {}, go),
+      { class: "stack", onSubmit: submit },
+      h(
+        Field,
+        { label: t("password-old") },
+        h("input", { type: "password", autocomplete: "current-password", required: true, ref: old }),
+      ),
+      h(
+        Field,
+        { label: t("password-new"), hint: t("setup-password-hint", { count: REFERENCE.numbers.password_length }) },
+        h("input", { type: "password", autocomplete: "new-password", required: true, ref: chosen }),
+      ),
+      h("p", { class: "problem", role: "alert" }, problem),
+      h("div", {}, h("button", { class: "btn", disabled: isSending }, t("password-go"))),
     ),
   );
 }

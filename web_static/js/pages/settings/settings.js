@@ -1,53 +1,55 @@
 /** Settings: what the owner allows here, and the chairs and screens that are paired. Others see them, and change nothing. */
-import { chairsCard } from "./chairs_card.js";
-import { h, put } from "../../widgets/dom.js";
+import { ChairsCard } from "./chairs_card.js";
+import { drawPage, Fragment, h } from "../../preact.js";
 import { languageChoice } from "../../widgets/language_choice.js";
-import { limitsCard } from "./limits_card.js";
-import { passwordCard } from "./password_card.js";
+import { LimitsCard } from "./limits_card.js";
+import { Made } from "../../widgets/made.js";
+import { PasswordCard } from "./password_card.js";
 import { patientScreenCard } from "../../widgets/patient_screen_card.js";
-import { priorCard } from "./prior_card.js";
+import { PriorCard } from "./prior_card.js";
 import { t } from "../../texts.js";
-import { tabletsCard } from "./tablets_card.js";
+import { TabletsCard } from "./tablets_card.js";
 
 /** @param {import("../../main.js").App} app @param {HTMLElement} root @param {{signal: AbortSignal}} page */
-export async function show(app, root, { signal }) {
+export async function show(app, root, { signal: left }) {
   const role = app.me?.role;
   const [clinic, chairs, prior, screens] = await Promise.all([
     app.api.get("/limits"),
     app.api.get("/chairs"),
     app.api.get("/clinic-prior"),
-    role !== "reviewer" && patientScreenCard(app, signal),
+    role !== "reviewer" && patientScreenCard(app, left),
   ]);
-  if (signal.aborted) return;
+  if (left.aborted) return;
   const isOwner = role === "owner";
-  const limits = limitsCard(app, clinic, isOwner, signal);
-  const right = [
-    chairsCard(app, chairs, isOwner, signal),
-    tabletsCard(app, signal),
-    screens,
-    role !== "reviewer" && priorCard(app, prior, isOwner),
+  const right = h(
+    "div",
+    { class: "stack" },
+    h(ChairsCard, { app, first: chairs, isOwner, left }),
+    h(TabletsCard, { app, left }),
+    screens && h(Made, { left, make: () => screens }),
+    role !== "reviewer" && h(PriorCard, { app, first: prior, isOwner }),
     role !== "reviewer" && linkedCard("plans-settings-lead", "plans-settings", "#/plans", "plans-link"),
     isOwner && linkedCard("people-settings-lead", "rail-people", "#/people", "people-settings-go"),
     isOwner && linkedCard("log-lead", "rail-log", "#/log", "log-settings-go"),
     isOwner && linkedCard("computer-lead", "rail-computer", "#/computer", "computer-settings-go"),
     isOwner && linkedCard("backup-lead", "rail-backup", "#/backup", "backup-settings-go"),
-    languageCard(app),
-    !app.me?.demo && passwordCard(app),
-  ];
-  put(
+    languageCard(app, left),
+    !app.me?.demo && h(PasswordCard, { app }),
+  );
+  drawPage(
     root,
     h(
-      "div",
-      { class: "body" },
-      h("h1", { tabindex: "-1" }, t("settings-title")),
+      Fragment,
+      {},
+      h("h1", { tabindex: -1 }, t("settings-title")),
       h("p", { class: "lead" }, t("settings-lead"), !isOwner && ` ${t("settings-read-only")}`),
-      h("div", { class: "settings-columns" }, limits, h("div", { class: "stack" }, right)),
+      h("div", { class: "settings-columns" }, h(LimitsCard, { app, first: clinic, isOwner, left }), right),
     ),
   );
 }
 
-/** @param {import("../../main.js").App} app */
-function languageCard(app) {
+/** @param {import("../../main.js").App} app @param {AbortSignal} left */
+function languageCard(app, left) {
   const choice = languageChoice(app);
   return (
     choice &&
@@ -56,7 +58,7 @@ function languageCard(app) {
       { class: "card" },
       h("h2", {}, t("language-title")),
       h("p", { class: "quiet small" }, t("language-lead")),
-      choice,
+      h(Made, { left, make: () => choice }),
     )
   );
 }

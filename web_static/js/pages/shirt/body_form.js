@@ -1,15 +1,15 @@
 /**
  * What moves inside the simulated shirt.
  * @import { Body } from "types/requests"
- * @import { BodyConfig, Equipment } from "types/documents"
+ * @import { BodyConfig } from "types/documents"
  * @typedef {Body<"put", "/equipment/body">} BodyRequest
  * @typedef {keyof typeof CHOICES | "recorded"} BodyChoice
  */
 import { failureWords } from "../../api.js";
+import { Fragment, h, useMemo, useSignal } from "../../preact.js";
 import { t } from "../../texts.js";
-import { h, put } from "../../widgets/dom.js";
-import { choices } from "../../widgets/fields.js";
-import { addFile, fileField } from "./signal_files.js";
+import { Choices } from "../../widgets/fields.js";
+import { AddFile, FileField } from "./signal_files.js";
 
 const CHOICES = /** @type {const} */ ({
   practised: { kind: "person", skill: "practised", seed: 1 },
@@ -25,51 +25,68 @@ export function bodyWords(body) {
 
 /**
  * A choice takes effect at once; only a recorded body first needs its file.
- * @param {import("../../main.js").App} app @param {Equipment} equipment
- * @param {(config: BodyRequest) => Promise<void>} onUse
- * @param {{kind: string, onKind: (kind: string) => void}} shown the choice whose settings are shown
+ * @param {{store: import("./store.js").ShirtStore, onUse: (config: BodyRequest) => Promise<void>}} form
  */
-export function bodyForm(app, equipment, onUse, { kind: first, onKind }) {
-  const { body, files } = equipment;
-  /** @type {{kind: "recorded", file: string | undefined}} */
-  const recorded = { kind: "recorded", file: body?.kind === "recorded" ? body.file : undefined };
-  const more = h("div", { class: "stack settings" });
-  const problem = h("p", { class: "problem", role: "alert" });
+export function BodyForm({ store: { app, equipment }, onUse }) {
+  const { body, files } = equipment.value;
+  const chosen = useSignal(/** @type {BodyChoice | null} */ (null));
+  const problem = useSignal("");
+  const recorded = useMemo(() => {
+    const file = body?.kind === "recorded" ? body.file : undefined;
+    return { kind: /** @type {const} */ ("recorded"), file };
+  }, []);
+  const bodies = files.filter(({ kind }) => kind === "body");
   /** @param {BodyRequest} config */
   const use = async (config) => {
-    problem.textContent = "";
+    problem.value = "";
     try {
       await onUse(config);
     } catch (error) {
-      problem.textContent = failureWords(error);
+      problem.value = failureWords(error);
     }
   };
-  /** @param {BodyChoice} choice */
-  const choose = (choice) => {
-    onKind(choice);
-    put(more);
-    if (choice !== "recorded") return use(CHOICES[choice]);
-    const bodies = files.filter(({ kind }) => kind === "body");
-    put(
-      more,
-      fileField(bodies, recorded),
-      addFile(app),
-      bodies.length > 0 &&
-        h(
-          "button",
-          { type: "button", class: "btn go", onclick: () => use(/** @type {BodyRequest} */ (recorded)) },
-          t("source-use"),
-        ),
-    );
+  /** @param {string} value */
+  const choose = (value) => {
+    const choice = (chosen.value = /** @type {BodyChoice} */ (value));
+    if (choice !== "recorded") use(CHOICES[choice]);
   };
-  const current = /** @type {BodyChoice | ""} */ (first) || (body?.kind === "person" ? body.skill : body?.kind);
-  if (first === "recorded") choose(first);
-  /** @type {import("../../widgets/fields.js").Choice<BodyChoice>[]} */
-  const options = [
-    { value: "practised", label: t("body-person-practised"), hint: t("body-person-practised-hint") },
-    { value: "novice", label: t("body-person-novice"), hint: t("body-person-novice-hint") },
-    { value: "visitor", label: t("body-visitor"), hint: t("body-visitor-hint") },
-    { value: "recorded", label: t("body-recorded"), hint: t("body-recorded-hint") },
-  ];
-  return h("div", { class: "stack" }, choices(t("body-title"), options, current || null, choose), more, problem);
+  /** @param {BodyChoice} value @param {string} name */
+  const option = (value, name) => ({ value, label: t(name), hint: t(`${name}-hint`) });
+  return h(
+    "div",
+    { class: "stack" },
+    h(Choices, {
+      label: t("body-title"),
+      options: [
+        option("practised", "body-person-practised"),
+        option("novice", "body-person-novice"),
+        option("visitor", "body-visitor"),
+        option("recorded", "body-recorded"),
+      ],
+      chosen: chosen.value ?? (body?.kind === "person" ? body.skill : (body?.kind ?? null)),
+      onChange: choose,
+    }),
+    h(
+      "div",
+      { class: "stack settings" },
+      chosen.value === "recorded" &&
+        h(
+          Fragment,
+          {},
+          h(FileField, { files: bodies, config: recorded }),
+          h(AddFile, { app }),
+          bodies.length > 0 &&
+            h(
+              "button",
+              {
+                type: "button",
+                class: "btn go",
+                onClick: () => use(/** @type {BodyRequest} */ ({ ...recorded })),
+              },
+              t("source-use"),
+            ),
+        ),
+    ),
+    h("p", { class: "problem", role: "alert" }, problem),
+  );
 }

@@ -1,6 +1,6 @@
 /** The upper body, front and back, drawn by hand in a box of 200 by 228; the lamps of the sensors lie on it. */
+import { h } from "../../preact.js";
 import { t } from "../../texts.js";
-import { s } from "../../widgets/dom.js";
 
 export const WIDTH = 200;
 export const HEIGHT = 228;
@@ -19,42 +19,37 @@ const SLEEVE = `C118 51.2 122 51.6 126 52 ${SHOULDER} C180.5 134 185 156 189 175
 // From the collar to the middle: two control points and the end.
 const NECKLINE = { front: [112, 63, 106, 68, 100, 68], back: [110, 56, 105, 57, 100, 57] };
 
-/**
- * Draw one side of the body.
- * @param {"front" | "back"} side
- */
-export function outline(side) {
+/** One side of the body. @param {{side: "front" | "back"}} outline */
+export function Outline({ side }) {
   const [x1, y1, x2, y2, x, y] = NECKLINE[side];
   const collar = `M${COLLAR.join(" ")} C${x1} ${y1} ${x2} ${y2} ${x} ${y}`;
   const shirt = `M${x} ${y} C${x2} ${y2} ${x1} ${y1} ${COLLAR.join(" ")} ${SLEEVE}`;
+  /** @param {string} kind @param {string} d */
+  const path = (kind, d) => h("path", { class: kind, d });
   const half = () => [
-    s("path", { class: "skin", d: SKIN }),
-    s("path", { class: "cloth", d: shirt }),
-    s("path", { class: "seam", d: collar }),
-    s("path", { class: "seam", d: "M141 97 C136 84 133 70 131 53" }),
-    s("path", { class: "seam", d: "M152 140 C159 138 167 133 177 125" }),
+    path("skin", SKIN),
+    path("cloth", shirt),
+    path("seam", collar),
+    path("seam", "M141 97 C136 84 133 70 131 53"),
+    path("seam", "M152 140 C159 138 167 133 177 125"),
   ];
-  return s(
+  return h(
     "g",
     { class: "figure", "aria-hidden": "true" },
-    s("ellipse", { class: "skin", cx: 100, cy: 24, rx: 16.5, ry: 21 }),
-    s("g", {}, half()),
-    s("g", { transform: `translate(${WIDTH} 0) scale(-1 1)` }, half()),
-    side === "back" && s("path", { class: "seam spine", d: "M100 62 C99 110 101 160 100 220" }),
-    side === "front" && face(),
+    h("ellipse", { class: "skin", cx: 100, cy: 24, rx: 16.5, ry: 21 }),
+    h("g", {}, half()),
+    h("g", { transform: `translate(${WIDTH} 0) scale(-1 1)` }, half()),
+    side === "back" && path("seam spine", "M100 62 C99 110 101 160 100 220"),
+    side === "front" && path("seam", "M94 22h.01M106 22h.01M96.5 33c2 1.8 5 1.8 7 0"), // the face
     sideWords(side),
   );
-}
-
-function face() {
-  return s("path", { class: "seam", d: "M94 22h.01M106 22h.01M96.5 33c2 1.8 5 1.8 7 0" });
 }
 
 /** The words for left and right: seen from the front, the patient's right is at the left of the picture. @param {"front" | "back"} side */
 function sideWords(side) {
   const [first, second] = side === "front" ? ["shirt-right", "shirt-left"] : ["shirt-left", "shirt-right"];
   return [
-    s("text", { class: "side", x: 14, y: 225, "text-anchor": "middle" }, t(first)),
-    s("text", { class: "side", x: WIDTH - 14, y: 225, "text-anchor": "middle" }, t(second)),
+    h("text", { class: "side", x: 14, y: 225, "text-anchor": "middle" }, t(first)),
+    h("text", { class: "side", x: WIDTH - 14, y: 225, "text-anchor": "middle" }, t(second)),
   ];
 }

@@ -3,20 +3,20 @@
  * @import { App } from "../../main.js"
  * @import { FileView, ShirtLayout } from "types/api"
  * @import { ConfigSchema, FieldSchema, ShirtConfig } from "types/documents"
- * @import { Child } from "types/dom"
+ * @import { ReadonlySignal, VNode } from "../../preact.js"
  * @typedef {object} Surroundings what the fields offer
  * @property {App} app
  * @property {ShirtConfig | null} now the configuration in use when it is of this kind
- * @property {ShirtLayout | null} layout of the shirt in use
- * @property {FileView[]} files @property {string[]} keys names of the keys of paired shirts
- * @typedef {{element: Child, isNarrow?: boolean, read: () => unknown}} FormField narrow ones stand side by side
+ * @property {ReadonlySignal<ShirtLayout | null>} layout of the shirt in use
+ * @property {ReadonlySignal<FileView[]>} files @property {ReadonlySignal<string[]>} keys names of the keys of paired shirts
+ * @typedef {{element: VNode<any> | null, isNarrow?: boolean, read: () => unknown}} FormField narrow ones stand side by side
  * @typedef {(schema: FieldSchema, value: any, around: Surroundings) => FormField} Maker makes a field that shows `value`
  */
+import { h } from "../../preact.js";
 import { t } from "../../texts.js";
-import { h } from "../../widgets/dom.js";
-import { field, segments, selection, stepper, toggle } from "../../widgets/fields.js";
+import { Field, segments, Selection, stepper, Toggle } from "../../widgets/fields.js";
 import { unrounded } from "../../widgets/format.js";
-import { addFile, fileField } from "./signal_files.js";
+import { AddFile, FileField } from "./signal_files.js";
 
 const REPLAYED = new Set(["signals", "recording"]);
 const LEAST_CHANNELS = 3; // with fewer, two choices of channels would name the same ones
@@ -34,7 +34,7 @@ const OF_FORMAT = {
 /**
  * The fields of a schema, and what reads them; a file that is no JSON document rejects with a sentence.
  * @param {ConfigSchema} form @param {Surroundings} around
- * @returns {{fields: Child[], config: () => Promise<Record<string, unknown>>}}
+ * @returns {{fields: VNode<any>[], config: () => Promise<Record<string, unknown>>}}
  */
 export function configFields(form, around) {
   const { kind, ...properties } = form.properties;
@@ -45,7 +45,7 @@ export function configFields(form, around) {
   });
   const bringsFiles = Object.values(properties).some(({ format }) => format === "signal-file");
   return {
-    fields: [...inColumns(made.map(([, one]) => one)), bringsFiles && addFile(around.app)],
+    fields: [...inColumns(made.map(([, one]) => one)), ...(bringsFiles ? [h(AddFile, { app: around.app })] : [])],
     config: async () => {
       const values = await Promise.all(made.map(async ([name, { read }]) => [name, await read()]));
       return { kind: kind.const, ...Object.fromEntries(values) };
@@ -65,44 +65,50 @@ function makerOf(schema) {
   return type === "string" ? text : figure;
 }
 
-/** Consecutive narrow fields stand side by side. @param {FormField[]} fields @returns {Child[]} */
+/** Consecutive narrow fields stand side by side. @param {FormField[]} fields @returns {VNode<any>[]} */
 function inColumns(fields) {
-  /** @type {FormField[][]} */
+  /** @type {{isNarrow: boolean, elements: VNode<any>[]}[]} */
   const rows = [];
-  for (const one of fields) {
+  for (const { element, isNarrow = false } of fields) {
+    if (!element) continue;
     const last = rows.at(-1);
-    if (one.isNarrow && last?.[0].isNarrow) last.push(one);
-    else rows.push([one]);
+    if (isNarrow && last?.isNarrow) last.elements.push(element);
+    else rows.push({ isNarrow, elements: [element] });
   }
-  return rows.map((row) => {
-    const elements = row.map(({ element }) => element);
-    return row.length > 1 ? h("div", { class: "columns" }, elements) : elements[0];
-  });
+  return rows.map(({ elements }) => (elements.length > 1 ? h("div", { class: "columns" }, elements) : elements[0]));
 }
 
 /** @param {FieldSchema} schema */
 const isOptional = ({ anyOf = [] }) => anyOf.some(({ type }) => type === "null");
 
+/**
+ * An input that keeps what is typed, and what reads that.
+ * @param {string} label @param {string | undefined} hint @param {unknown} value @param {object} attributes
+ */
+function typedField(label, hint, value, attributes) {
+  let typed = String(value ?? "");
+  const onInput = (/** @type {Event} */ { currentTarget }) =>
+    void (typed = /** @type {HTMLInputElement} */ (currentTarget).value.trim());
+  const element = h(Field, { label, hint }, h("input", { defaultValue: typed, ...attributes, onInput }));
+  return { element, typed: () => typed };
+}
+
 /** @type {Maker} */
 function text(schema, value) {
   const { title = "", description, minLength, maxLength } = schema;
-  const limits = { minlength: minLength, maxlength: maxLength };
-  const input = h("input", { type: "text", value, ...limits, required: !isOptional(schema), autocomplete: "off" });
-  const read = () => input.value.trim() || (isOptional(schema) ? null : "");
-  return { element: field(title, input, description), isNarrow: true, read };
+  const limits = { minlength: minLength, maxlength: maxLength, required: !isOptional(schema) };
+  const { element, typed } = typedField(title, description, value, { type: "text", ...limits, autocomplete: "off" });
+  return { element, isNarrow: true, read: () => typed() || (isOptional(schema) ? null : "") };
 }
 
 /** @type {Maker} */
 function figure(schema, value) {
   const { title = "", description, unit, minimum, maximum, type } = schema;
-  const limits = { min: minimum, max: maximum, step: type === "integer" ? 1 : "any" };
-  const input = h("input", { type: "number", value, ...limits, required: !isOptional(schema) });
-  const read = () => (input.value === "" && isOptional(schema) ? null : Number(input.value));
-  return {
-    element: field(unit ? t("source-unit", { value: title, unit: `(${unit})` }) : title, input, description),
-    isNarrow: true,
-    read,
-  };
+  const step = type === "integer" ? 1 : "any";
+  const limits = { min: minimum, max: maximum, step, required: !isOptional(schema) };
+  const label = unit ? t("source-unit", { value: title, unit: `(${unit})` }) : title;
+  const { element, typed } = typedField(label, description, value, { type: "number", ...limits });
+  return { element, isNarrow: true, read: () => (typed() === "" && isOptional(schema) ? null : Number(typed())) };
 }
 
 /** A selection among the values that the schema offers, and the one in use. @type {Maker} */
@@ -113,18 +119,16 @@ function offered({ title = "", description, unit = "", examples, enum: values },
     value: String(one),
     label: t("source-unit", { value: typeof one === "number" ? unrounded(one) : String(one), unit }).trim(),
   }));
-  const select = selection(
-    options,
-    String(chosen),
-    (name) => (chosen = all.find((one) => String(one) === name) ?? chosen),
-  );
-  return { element: field(title, select, description), read: () => chosen };
+  const onChange = (/** @type {string} */ name) => void (chosen = all.find((one) => String(one) === name) ?? chosen);
+  const select = h(Selection, { options, chosen: String(chosen), onChange });
+  return { element: h(Field, { label: title, hint: description }, select), read: () => chosen };
 }
 
 /** @type {Maker} */
 function flag({ title = "" }, value) {
   let on = Boolean(value);
-  return { element: toggle(title, on, (isOn) => (on = isOn)), read: () => on };
+  const element = h(Toggle, { label: title, on, onChange: (/** @type {boolean} */ isOn) => void (on = isOn) });
+  return { element, read: () => on };
 }
 
 /** A whole number between − and +. @type {Maker} */
@@ -137,44 +141,54 @@ function steps({ title = "", unit = "", minimum, maximum }, value) {
 
 /** Choices of channels by their place in the layout of the shirt in use, 0 to 1. @type {Maker} */
 function channels({ title = "", choices = [] }, value, { now, layout }) {
+  /** @type {string[]} */
   let names = value;
-  const all = now && layout ? layout.channels.map(({ name }) => name) : [];
+  const all = (now && layout.peek()?.channels.map(({ name }) => name)) ?? [];
   if (all.length < LEAST_CHANNELS) return { element: null, read: () => names };
   const sets = choices.map(({ at }) => at.map((place) => all[Math.floor(place * all.length)]));
   const options = choices.map((choice, i) => ({ value: String(i), label: choice.title }));
-  const chosen = sets.findIndex((set) => JSON.stringify(set) === JSON.stringify(value));
+  const chosen = sets.findIndex((set) => set.length === names.length && set.every((name, i) => name === names[i]));
   const choose = (/** @type {string} */ i) => (names = sets[Number(i)]);
   return { element: row(title, segments(title, options, String(chosen), choose)), read: () => names };
 }
 
 /** A file of signals that lies on the machine; without one, the server says what is missing. @type {Maker} */
 function signalFile({ title }, value, { files }) {
-  const chosen = { file: value };
-  const element = fileField(
-    files.filter(({ kind }) => REPLAYED.has(kind)),
-    chosen,
-    title,
-  );
-  return { element, read: () => chosen.file };
+  const config = { file: value };
+  const Replayed = () =>
+    h(FileField, { files: files.value.filter(({ kind }) => REPLAYED.has(kind)), config, label: title });
+  return { element: h(Replayed, {}), read: () => config.file };
 }
 
 /** @type {Maker} */
 function shirtKey({ title = "", description }, value, { keys }) {
-  let key = keys.includes(value) ? value : "";
-  const options = ["", ...keys].map((name) => ({ value: name, label: name || t("source-key-none") }));
-  const select = selection(options, key, (name) => (key = name));
-  return { element: field(title, select, description), read: () => key || null };
+  let key = keys.peek().includes(value) ? value : "";
+  const onChange = (/** @type {string} */ name) => void (key = name);
+  const Key = () => {
+    const options = ["", ...keys.value].map((name) => ({ value: name, label: name || t("source-key-none") }));
+    return h(Field, { label: title, hint: description }, h(Selection, { options, chosen: key, onChange }));
+  };
+  return { element: h(Key, {}), read: () => key || null };
 }
 
 /** A layout out of a file; without one the layout in use, and without that the kind's own. @type {Maker} */
 function layoutFile({ title = "", description }, _value, { layout }) {
-  const input = h("input", { type: "file", accept: ".json,application/json" });
-  const read = async () => (input.files?.[0] ? readDocument(input.files[0]) : (layout ?? undefined));
-  return { element: field(title, input, description), read };
+  /** @type {File | undefined} */
+  let file;
+  const onChange = (/** @type {Event} */ { currentTarget }) =>
+    void (file = /** @type {HTMLInputElement} */ (currentTarget).files?.[0]);
+  const input = h("input", { type: "file", accept: ".json,application/json", onChange });
+  const read = async () => (file ? readDocument(file) : (layout.peek() ?? undefined));
+  return { element: h(Field, { label: title, hint: description }, input), read };
 }
 
-/** @param {string} title @param {HTMLElement} control */
-const row = (title, control) => h("div", { class: "row" }, h("b", { class: "small" }, title), control);
+/** A line with a control that is made by hand. @param {string} title @param {HTMLElement} control */
+const row = (title, control) =>
+  h(
+    "div",
+    { class: "row", ref: (/** @type {HTMLElement | null} */ line) => line?.append(control) },
+    h("b", { class: "small" }, title),
+  );
 
 /** @param {File} file @returns {Promise<ShirtLayout>} as far as the server accepts it */
 async function readDocument(file) {

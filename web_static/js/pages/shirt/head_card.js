@@ -1,24 +1,21 @@
 /**
  * The head tracker: which one, how it is, and what is straight ahead.
- * @import { App } from "../../main.js"
+ * @import { ShirtStore } from "./store.js"
  * @import { Body } from "types/requests"
- * @import { FileView } from "types/api"
- * @import { Equipment } from "types/documents"
- * @import { Attributes, Child } from "types/dom"
+ * @import { ComponentChildren } from "../../preact.js"
  * @typedef {Body<"put", "/equipment/head">["config"]} HeadRequest
  * @typedef {{kind?: string, host?: string, port?: number, device?: string, baud?: number, address?: number | null, file?: string}} HeadSettings
- * @typedef {{fields: Child, config: () => HeadRequest}} Part the settings of one kind of head tracker
+ * @typedef {{fields: ComponentChildren, config: () => HeadRequest}} Part the settings of one kind of head tracker
  */
 import { limitsOf, numberLimits } from "../../reference.js";
-import { failureWords } from "../../api.js";
+import { Fragment, h, useLayoutEffect, useMemo, useSignal } from "../../preact.js";
 import { t } from "../../texts.js";
-import { h, put } from "../../widgets/dom.js";
-import { choices, field } from "../../widgets/fields.js";
-import { addFile, fileField } from "./signal_files.js";
-import { endTabletHead, tabletHead } from "./tablet_head.js";
+import { Field } from "../../widgets/fields.js";
+import { ChoiceForm } from "./choice_form.js";
+import { AddFile, FileField } from "./signal_files.js";
+import { endTabletHead, TabletHead } from "./tablet_head.js";
 
 const KINDS = ["none", "opentrack", "freepie", "flock_of_birds", "tablet", "recorded", "simulator"];
-/** @type {Record<string, number>} */
 /** @type {Record<string, string>} */
 const OVER_NETWORK = { opentrack: "OpentrackConfig", freepie: "FreepieConfig" };
 
@@ -27,53 +24,31 @@ export function headWords(config) {
   return t(`head-${config?.kind ?? "none"}-now`, { port: config?.port, device: config?.device, file: config?.file });
 }
 
-/**
- * @param {App} app @param {Equipment} equipment @param {(config: HeadRequest) => Promise<void>} onUse rejects with a sentence
- * @param {{kind: string, onKind: (kind: string) => void}} shown the kind whose settings are shown
- */
-export function headForm(app, equipment, onUse, { kind: first, onKind }) {
-  const { config: now } = equipment.head;
-  const settings = h("div", { class: "stack settings" });
-  const problem = h("p", { class: "problem", role: "alert" });
-  /** @type {Part["config"]} */
-  let read = () => null;
-  /** @param {string} kind */
-  const choose = (kind) => {
-    onKind(kind);
-    const parts = fieldsOf(app, kind, now?.kind === kind ? now : null, equipment.files);
-    read = parts.config;
-    put(settings, parts.fields);
-  };
-  /** @param {SubmitEvent} event */
-  const submit = async (event) => {
-    event.preventDefault();
-    problem.textContent = "";
-    try {
-      await onUse(read());
-    } catch (error) {
-      problem.textContent = failureWords(error);
-    }
-  };
-  choose(first || now?.kind || "none");
+/** @param {{store: ShirtStore, onUse: (config: HeadRequest) => Promise<void>}} form onUse: rejects with a sentence */
+export function HeadForm({ store, onUse }) {
+  const now = useMemo(() => /** @type {HeadSettings | null} */ (store.equipment.peek().head.config), []);
+  const kind = useSignal(now?.kind ?? "none");
+  const part = useMemo(() => partOf(store, kind.value, now?.kind === kind.value ? now : null), [kind.value]);
   return h(
-    "form",
-    { class: "stack", onsubmit: submit },
-    choices(
-      t("head-title"),
-      KINDS.map((kind) => ({ value: kind, label: t(`head-${kind}`), hint: t(`head-${kind}-hint`) })),
-      first || now?.kind || "none",
-      choose,
-    ),
-    settings,
-    problem,
-    h("button", { class: "btn go" }, t("source-use")),
+    ChoiceForm,
+    {
+      label: t("head-title"),
+      options: KINDS.map((value) => ({ value, label: t(`head-${value}`), hint: t(`head-${value}-hint`) })),
+      chosen: kind.value,
+      onChoose: (chosen) => (kind.value = chosen),
+      onUse: () => onUse(part.config()),
+    },
+    h(Fragment, { key: kind.value }, part.fields),
   );
 }
 
-/** What is asked live of the tracker in use. @param {App} app @param {Equipment["head"]} head */
-export function headActions(app, head) {
-  if (head.config?.kind !== "tablet") endTabletHead();
-  if (!head.config) return null;
+/** What is asked live of the tracker in use. @param {{store: ShirtStore}} actions */
+export function HeadActions({ store: { app, equipment } }) {
+  const kind = equipment.value.head.config?.kind;
+  useLayoutEffect(() => {
+    if (kind !== "tablet") endTabletHead();
+  }, [kind]);
+  if (!kind) return null;
   const ahead = () =>
     app.toasts.attempt(async () => {
       await app.api.post("/equipment/head/ahead", {});
@@ -82,20 +57,23 @@ export function headActions(app, head) {
   return h(
     "div",
     { class: "stack" },
-    head.config.kind === "tablet" && tabletHead(app),
-    h("button", { type: "button", class: "btn", onclick: ahead }, t("head-ahead")),
+    kind === "tablet" && h(TabletHead, { app }),
+    h("button", { type: "button", class: "btn", onClick: ahead }, t("head-ahead")),
   );
 }
 
 /**
- * The fields of one kind of head tracker.
- * @param {App} app @param {string} kind @param {HeadSettings | null} now @param {FileView[]} files @returns {Part}
+ * The fields of one kind of head tracker, and what reads them.
+ * @param {ShirtStore} store @param {string} kind @param {HeadSettings | null} now @returns {Part}
  */
-function fieldsOf(app, kind, now, files) {
-  /** @param {string} label @param {string | number} value @param {Attributes} [more] */
+function partOf({ app, equipment }, kind, now) {
+  /** @param {string} label @param {string | number} value @param {object} [more] */
   const input = (label, value, more = {}) => {
-    const element = h("input", { type: "text", value, required: true, autocomplete: "off", ...more });
-    return { element: field(t(label), element), read: () => element.value.trim() };
+    let typed = String(value);
+    const onInput = (/** @type {Event} */ { currentTarget }) =>
+      void (typed = /** @type {HTMLInputElement} */ (currentTarget).value.trim());
+    const attributes = { type: "text", defaultValue: value, required: true, autocomplete: "off", onInput, ...more };
+    return { element: h(Field, { label: t(label) }, h("input", attributes)), read: () => typed };
   };
   if (kind in OVER_NETWORK) {
     const host = input("source-host", now?.host ?? "127.0.0.1");
@@ -105,7 +83,7 @@ function fieldsOf(app, kind, now, files) {
     });
     const config = () => ({ kind, host: host.read(), port: Number(port.read()) });
     return {
-      fields: [h("div", { class: "columns" }, host.element, port.element)],
+      fields: h("div", { class: "columns" }, host.element, port.element),
       config: () => /** @type {HeadRequest} */ (config()),
     };
   }
@@ -137,11 +115,11 @@ function fieldsOf(app, kind, now, files) {
   }
   if (kind === "recorded") {
     const config = { kind, file: now?.file, loop: true };
-    const heads = files.filter((file) => file.kind === "head");
+    const Heads = () => h(FileField, { files: equipment.value.files.filter((file) => file.kind === "head"), config });
     // Without a file, the server says what is missing.
-    return { fields: [fileField(heads, config), addFile(app)], config: () => /** @type {HeadRequest} */ (config) };
+    return { fields: [h(Heads, {}), h(AddFile, { app })], config: () => /** @type {HeadRequest} */ (config) };
   }
-  if (kind === "none") return { fields: [], config: () => null };
+  if (kind === "none") return { fields: null, config: () => null };
   const config = kind === "simulator" ? { kind, seed: 1 } : { kind };
-  return { fields: [], config: () => /** @type {HeadRequest} */ (config) };
+  return { fields: null, config: () => /** @type {HeadRequest} */ (config) };
 }

@@ -1,67 +1,68 @@
 /** One sensor in words, with its live trace, and whether it is used. */
+import { h, useComputed, useMemo, useRef, useSignal } from "../../preact.js";
 import { t } from "../../texts.js";
-import { h, put, s, set, write } from "../../widgets/dom.js";
-import { toggle } from "../../widgets/fields.js";
+import { Toggle } from "../../widgets/fields.js";
 import { number } from "../../widgets/format.js";
 import { sensorName } from "../../widgets/joint_words.js";
+import { useUntilGone } from "../../widgets/made.js";
 import { drawTraces, QUIET_SPAN } from "../../charts/joint_strips.js";
-import { LAMP_BOX, lampSign } from "./lamps.js";
+import { LampPicture } from "./lamps.js";
 import { TraceCanvas } from "../../charts/traces.js";
 
 /**
- * @param {import("../../main.js").App} app
- * @param {{channel: import("types/api").Channel, index: number, joint: string, isUnused: boolean, signal: AbortSignal}} sensor
- * @param {(isUnused: boolean) => void} onUnused
+ * @param {{store: import("./store.js").ShirtStore, name: string, index: number, joint: string}} sensor
+ *   index: of its channel; joint: as people read it
  */
-export function sensorCard(app, { channel, index, joint, isUnused, signal }, onUnused) {
-  const canvas = new TraceCanvas({ label: t("sensor-trace", { name: sensorName(channel.name) }), height: 96 });
-  const lamp = s("svg", { viewBox: LAMP_BOX, width: 26, height: 26, "aria-hidden": "true" });
-  const quality = h("b", {});
-  const words = h("p", { class: "small", "aria-live": "polite" }); // figures are not live: they change all the time
-  const noise = h("span", {});
-  const value = h("span", { class: "number" });
-  const showQuality = () => {
-    const now = app.live.quality[index] ?? "silent";
-    if (lamp.dataset.quality !== now) {
-      lamp.dataset.quality = now;
-      put(lamp, s("g", { class: "sensor", "data-quality": now }, lampSign(now)));
-    }
-    write(quality, t(`quality-${now}`));
-    write(words, t(`quality-${now}-words`));
-    canvas.floor = QUIET_SPAN * (app.live.noise[index] ?? 0);
-    write(noise, t("sensor-noise", { noise: figure(app.live.noise[index]) }));
-  };
-  app.live.addEventListener("quality", showQuality, { signal });
-  app.live.addEventListener(
-    "tick",
-    ({ detail }) => write(value, t("sensor-now", { value: figure(detail.values?.[index]) })),
-    { signal },
+export function SensorCard({ store, name, index, joint }) {
+  const { app, left, live, equipment } = store;
+  const canvas = useMemo(
+    () => new TraceCanvas({ label: t("sensor-trace", { name: sensorName(name) }), height: 96 }),
+    [],
   );
-  drawTraces(app.live, [{ canvas, values: (now) => [now.values?.[index] ?? null] }], signal);
-  showQuality();
-  set(canvas.element, { class: "trace large" });
+  const place = useRef(/** @type {HTMLDivElement | null} */ (null));
+  const value = useSignal("");
+  const noise = useComputed(() => t("sensor-noise", { noise: figure(live.value.noise[index]) }));
+  const quality = useComputed(() => live.value.qualities[index] ?? "silent").value;
+  useUntilGone(left, (signal) => {
+    const setFloor = () => (canvas.floor = QUIET_SPAN * (app.live.noise[index] ?? 0));
+    setFloor();
+    app.live.addEventListener("quality", setFloor, { signal });
+    app.live.addEventListener(
+      "tick",
+      ({ detail }) => (value.value = t("sensor-now", { value: figure(detail.values?.[index]) })),
+      { signal },
+    );
+    drawTraces(app.live, [{ canvas, values: (now) => [now.values?.[index] ?? null] }], signal);
+    canvas.element.className = "trace large";
+    place.current?.append(canvas.element);
+  });
   return h(
     "section",
     { class: "card sensor-card" },
     h(
       "div",
       { class: "spread" },
-      lamp,
+      h(LampPicture, { quality, size: 26 }),
       h(
         "div",
         { class: "grow" },
-        h("h2", {}, sensorName(channel.name)),
+        h("h2", {}, sensorName(name)),
         h("span", { class: "quiet small" }, t("sensor-joint", { joint })),
       ),
-      quality,
+      h("b", {}, t(`quality-${quality}`)),
     ),
-    canvas.element,
-    h("div", { class: "row quiet small" }, value, noise),
-    words,
+    h("div", { ref: place }),
+    h("div", { class: "row quiet small" }, h("span", { class: "number" }, value), h("span", {}, noise)),
+    // Only the words are live: the figures change all the time.
+    h("p", { class: "small", "aria-live": "polite" }, t(`quality-${quality}-words`)),
     h(
       "div",
       { class: "spread" },
-      toggle(t("sensor-unused"), isUnused, onUnused),
+      h(Toggle, {
+        label: t("sensor-unused"),
+        on: equipment.value.unused.includes(name),
+        onChange: (isUnused) => store.setUnused(name, isUnused),
+      }),
       h("span", { class: "quiet small" }, t("sensor-unused-hint")),
     ),
   );

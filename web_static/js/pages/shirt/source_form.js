@@ -1,14 +1,13 @@
 /**
  * Where the shirt's signals come from: the form, and the configuration that it makes.
- * @import { App } from "../../main.js"
  * @import { Body } from "types/requests"
- * @import { Equipment, ShirtConfig, ShirtKind } from "types/documents"
+ * @import { ShirtStore } from "./store.js"
+ * @import { ShirtConfig, ShirtKind } from "types/documents"
  * @typedef {Body<"put", "/equipment/shirt">} ShirtRequest
  */
-import { failureWords } from "../../api.js";
+import { computed, Fragment, h, useLayoutEffect, useMemo, useRef, useSignal } from "../../preact.js";
 import { t } from "../../texts.js";
-import { h, put } from "../../widgets/dom.js";
-import { choices } from "../../widgets/fields.js";
+import { ChoiceForm } from "./choice_form.js";
 import { configFields } from "./config_fields.js";
 
 /** In one line what is in use. @param {ShirtConfig | null} shirt @param {ShirtKind[]} shirts */
@@ -18,63 +17,44 @@ export function sourceWords(shirt, shirts) {
   return (form?.in_use ?? shirt.kind).replace(/\{(\w+)\}/g, (_, name) => String(shirt[name]));
 }
 
-/**
- * @param {App} app @param {Equipment} equipment @param {ShirtKind[]} shirts the kinds to choose from
- * @param {(config: ShirtRequest) => Promise<void>} onUse rejects with a sentence
- * @param {{kind: string, onKind: (kind: string) => void}} shown the kind whose settings are shown
- */
-export function sourceForm(app, equipment, shirts, onUse, { kind: first, onKind }) {
-  const { shirt, layout, files, shirt_keys: keys } = equipment;
+/** @param {{store: ShirtStore, onUse: (config: ShirtRequest) => Promise<void>}} form */
+export function SourceForm({ store: { app, kinds, equipment }, onUse }) {
+  const first = useMemo(() => equipment.peek().shirt, []);
+  const kind = useSignal(first?.kind ?? "");
+  const button = useRef(/** @type {HTMLButtonElement | null} */ (null));
+  const parts = useMemo(() => {
+    const chosen = kinds.find((one) => one.kind === kind.value);
+    if (!chosen) return null;
+    return configFields(chosen.form, {
+      app,
+      now: first?.kind === chosen.kind ? first : null,
+      layout: computed(() => equipment.value.layout),
+      files: computed(() => equipment.value.files),
+      keys: computed(() => equipment.value.shirt_keys),
+    });
+  }, [kind.value]);
+  useLayoutEffect(() => {
+    if (kind.value !== (first?.kind ?? "")) button.current?.scrollIntoView({ block: "nearest" }); // it is the next step
+  }, [kind.value]);
   /** @param {boolean} isSimulated */
-  const kinds = (isSimulated) =>
-    shirts
+  const offered = (isSimulated) =>
+    kinds
       .filter(({ simulated }) => simulated === isSimulated)
-      .map(({ kind, form }) => ({ value: kind, label: form.title, hint: form.description }));
-  const settings = h("div", { class: "stack settings" });
-  const problem = h("p", { class: "problem", role: "alert" });
-  /** @type {ReturnType<typeof configFields> | null} */
-  let parts = null;
-  /** @param {string} kind */
-  const show = (kind) => {
-    onKind(kind);
-    const chosen = shirts.find((one) => one.kind === kind);
-    if (!chosen) return;
-    const now = shirt?.kind === kind ? shirt : null;
-    parts = configFields(chosen.form, { app, now, layout, files, keys });
-    put(settings, parts.fields);
-    use.hidden = false;
-  };
-  /** @param {string} kind */
-  const choose = (kind) => {
-    show(kind);
-    use.scrollIntoView({ block: "nearest" }); // it is the next step
-  };
-  /** @param {SubmitEvent} event */
-  const submit = async (event) => {
-    event.preventDefault();
-    problem.textContent = "";
-    try {
-      if (parts) await onUse(/** @type {ShirtRequest} */ (await parts.config()));
-    } catch (error) {
-      problem.textContent = failureWords(error);
-    }
-  };
-  const use = h("button", { class: "btn go", hidden: true }, t("source-use"));
-  if (first) show(first);
+      .map(({ kind: value, form }) => ({ value, label: form.title, hint: form.description }));
   return h(
-    "form",
-    { class: "stack", onsubmit: submit },
-    choices(
-      t("source-title"),
-      [
-        { words: t("source-worn"), options: kinds(false) },
-        { words: t("source-practice"), options: kinds(true) },
+    ChoiceForm,
+    {
+      label: t("source-title"),
+      options: [
+        { words: t("source-worn"), options: offered(false) },
+        { words: t("source-practice"), options: offered(true) },
       ],
-      first,
-      choose,
-    ),
-    settings,
-    problem,
-    use,
+      chosen: kind.value,
+      onChoose: (chosen) => (kind.value = chosen),
+      onUse: async () => void (parts && (await onUse(/** @type {ShirtRequest} */ (await parts.config())))),
+      button,
+      isReady: parts !== null,
+    },
+    h(Fragment, { key: kind.value }, parts?.fields),
   );
 }

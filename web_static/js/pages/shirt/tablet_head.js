@@ -1,72 +1,67 @@
 /** The orientation of this tablet or phone as the head tracker: sent at most thirty times a second. */
+import { h, signal } from "../../preact.js";
 import { t } from "../../texts.js";
-import { h, write } from "../../widgets/dom.js";
 
 const EVERY = 1000 / 30; // ms
 const RADIANS = Math.PI / 180;
 
 const PATIENCE = 3000; // ms without an event after which there is no sensor
 
-/**
- * The orientation that is being sent, whichever page is shown: where it reports its state, and how it ends; null: none is sent.
- * @type {{say: (sentence: string) => void, ended: () => void, end: () => void} | null}
- */
-let tracking = null;
+// The orientation is sent whichever page is shown.
+const words = signal("");
+/** What ends the sending; null: nothing is sent. */
+const end = signal(/** @type {(() => void) | null} */ (null));
 
-/** @param {import("../../main.js").App} app */
-export function tabletHead(app) {
-  const words = h("p", { class: "quiet small", role: "status" });
-  /** @param {string} sentence */
-  const say = (sentence) => write(words, sentence);
-  const button = h("button", { type: "button", class: "btn" }, t("head-tablet-start"));
+/** @param {{app: import("../../main.js").App}} tablet */
+export function TabletHead({ app }) {
   const start = async () => {
-    if (!window.isSecureContext) return say(t("head-tablet-insecure"));
-    if (!("DeviceOrientationEvent" in window)) return say(t("head-tablet-none"));
+    if (!window.isSecureContext) return void (words.value = t("head-tablet-insecure"));
+    if (!("DeviceOrientationEvent" in window)) return void (words.value = t("head-tablet-none"));
     /** @type {typeof DeviceOrientationEvent & {requestPermission?: () => Promise<string>}} asked for by Safari */
     const sensor = window.DeviceOrientationEvent;
     const answer = sensor.requestPermission ? await sensor.requestPermission().catch(() => "denied") : "granted";
-    if (answer !== "granted") return say(t("head-tablet-denied"));
-    button.disabled = true;
-    follow(app, say, () => (button.disabled = false));
+    if (answer !== "granted") return void (words.value = t("head-tablet-denied"));
+    follow(app);
   };
-  button.disabled = tracking !== null;
-  if (tracking) Object.assign(tracking, { say, ended: () => (button.disabled = false) });
-  button.addEventListener("click", start);
-  return h("div", { class: "spread" }, button, words);
+  return h(
+    "div",
+    { class: "spread" },
+    h("button", { type: "button", class: "btn", disabled: end.value !== null, onClick: start }, t("head-tablet-start")),
+    h("p", { class: "quiet small", role: "status" }, words.value),
+  );
 }
 
 /** Stop sending the orientation: another tracker is used. */
 export function endTabletHead() {
-  tracking?.end();
+  end.value?.();
+  words.value = "";
 }
 
-/** @param {import("../../main.js").App} app @param {(sentence: string) => void} say @param {() => void} ended */
-function follow(app, say, ended) {
+/** @param {import("../../main.js").App} app */
+function follow(app) {
   endTabletHead();
   let last = -Infinity;
   /** @param {DeviceOrientationEvent} event */
-  const tell = ({ alpha, beta, gamma }) => {
+  const send = ({ alpha, beta, gamma }) => {
     if (alpha === null || beta === null || gamma === null) return;
     clearTimeout(patience);
     const now = performance.now();
     if (now - last < EVERY) return;
     last = now;
     app.live.send({ look: orientation(alpha, beta, gamma, screen.orientation?.angle ?? 0) });
-    tracking?.say(t("head-tablet-tells"));
+    words.value = t("head-tablet-tells");
   };
   const patience = setTimeout(() => {
-    tracking?.say(t("head-tablet-none"));
     endTabletHead();
+    words.value = t("head-tablet-none");
   }, PATIENCE);
-  const end = () => {
+  end.value = () => {
     clearTimeout(patience);
-    window.removeEventListener("deviceorientation", tell);
-    tracking?.ended();
-    tracking = null;
+    window.removeEventListener("deviceorientation", send);
+    end.value = null;
   };
-  tracking = { say, ended, end };
-  say(t("head-tablet-waiting"));
-  window.addEventListener("deviceorientation", tell);
+  words.value = t("head-tablet-waiting");
+  window.addEventListener("deviceorientation", send);
 }
 
 /**

@@ -1,0 +1,96 @@
+/**
+ * The cards that say what is in use: the shirt, who is inside, the head tracker; each has a form to change that.
+ * @import { ShirtStore } from "./store.js"
+ * @import { EquipmentView } from "types/api"
+ * @import { ComponentChildren } from "../../preact.js"
+ * @typedef {(call: Promise<EquipmentView>) => Promise<void>} Use waits for a change, then closes the form
+ */
+import { h, useLayoutEffect, useRef, useSignal } from "../../preact.js";
+import { t } from "../../texts.js";
+import { BodyForm, bodyWords } from "./body_form.js";
+import { HeadActions, HeadForm, headWords } from "./head_card.js";
+import { ShirtSender } from "./shirt_sender.js";
+import { SourceForm, sourceWords } from "./source_form.js";
+
+/** @param {{store: ShirtStore}} card */
+export function SourceCard({ store }) {
+  const { app, kinds, equipment } = store;
+  const { shirt } = equipment.value;
+  return h(
+    Card,
+    {
+      store,
+      name: "source",
+      words: sourceWords(shirt, kinds),
+      startsOpen: !shirt, // choosing a shirt is the next step
+      form: (use) => h(SourceForm, { store, onUse: (config) => use(app.api.put("/equipment/shirt", config)) }),
+    },
+    kinds.some(({ network, kind }) => network && kind === shirt?.kind) && h(ShirtSender, { store }),
+  );
+}
+
+/** @param {{store: ShirtStore}} card */
+export function BodyCard({ store }) {
+  const { app, equipment } = store;
+  const { body } = equipment.value;
+  return h(Card, {
+    store,
+    name: "body",
+    words: body ? bodyWords(body) : "",
+    form: (use) => h(BodyForm, { store, onUse: (config) => use(app.api.put("/equipment/body", config)) }),
+  });
+}
+
+/** @param {{store: ShirtStore}} card */
+export function HeadCard({ store }) {
+  const { app, equipment } = store;
+  const { config, message } = equipment.value.head;
+  return h(
+    Card,
+    {
+      store,
+      name: "head",
+      words: [headWords(config), config && message].filter(Boolean).join(" "),
+      form: (use) => h(HeadForm, { store, onUse: (chosen) => use(app.api.put("/equipment/head", { config: chosen })) }),
+    },
+    h(HeadActions, { store }),
+  );
+}
+
+/**
+ * @param {object} card
+ * @param {ShirtStore} card.store @param {"source" | "body" | "head"} card.name @param {string} card.words what is in use
+ * @param {boolean} [card.startsOpen] @param {(use: Use) => ComponentChildren} card.form
+ * @param {ComponentChildren} [card.children] below the form
+ */
+function Card({ store, name, words, startsOpen = false, form, children }) {
+  const isOpen = useSignal(startsOpen);
+  const changes = useSignal(0);
+  const card = useRef(/** @type {HTMLElement | null} */ (null));
+  /** @type {Use} */
+  const use = async (call) => {
+    store.take(await call);
+    isOpen.value = false;
+    changes.value++;
+  };
+  useLayoutEffect(() => {
+    if (changes.value) card.current?.scrollIntoView({ block: "nearest" }); // the page has become shorter
+  }, [changes.value]);
+  return h(
+    "section",
+    { class: "card", "data-card": name, ref: card },
+    h("h2", {}, t(`${name}-title`)),
+    h("p", {}, words),
+    h(
+      "details",
+      {
+        open: isOpen.value,
+        onToggle: (/** @type {Event} */ { currentTarget }) =>
+          void (isOpen.value = /** @type {HTMLDetailsElement} */ (currentTarget).open),
+      },
+      h("summary", {}, t("source-change")),
+      h("div", {}, isOpen.value && form(use)),
+    ),
+    children,
+  );
+}

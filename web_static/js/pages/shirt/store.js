@@ -1,0 +1,69 @@
+/**
+ * What the page of the shirt shows: the equipment, how the sensors are now, and which one is picked.
+ * @import { EquipmentView } from "types/api"
+ * @import { Equipment, ShirtKind } from "types/documents"
+ * @typedef {ReturnType<typeof shirtStore>} ShirtStore
+ */
+import { failureWords } from "../../api.js";
+import { signal } from "../../preact.js";
+import { t } from "../../texts.js";
+import { replacedList } from "../../widgets/replaced_list.js";
+
+/**
+ * @param {import("../../main.js").App} app @param {EquipmentView} first @param {ShirtKind[]} kinds the shirts to choose from
+ * @param {AbortSignal} left of the page
+ */
+export function shirtStore(app, first, kinds, left) {
+  const equipment = signal(/** @type {Equipment} */ (first));
+  const readLive = () => ({
+    qualities: app.live.quality,
+    noise: app.live.noise,
+    lost: app.live.latest?.shirt.lost ?? 0,
+    isSending: app.live.present?.shirt.alive !== false,
+    session: app.session,
+  });
+  const live = signal(readLive());
+  /** The state of the shirt. `isNews`: it says something else than before, not only other figures. */
+  const state = signal({ sentence: "", isNews: false });
+  const picked = signal(""); // name of a channel
+  const read = async () => take(await app.api.get("/equipment"));
+  const replaced = replacedList(app, ["file"], read);
+  /** @param {string} words */
+  const setState = (words) => {
+    const sentence = equipment.value.shirt ? words : t("shirt-none");
+    const isNews = withoutFigures(sentence) !== withoutFigures(state.value.sentence);
+    state.value = { sentence, isNews };
+  };
+  /** @param {EquipmentView} view */
+  const take = (view) => {
+    equipment.value = /** @type {Equipment} */ (view);
+    setState(view.status.message);
+    app.toasts.attempt(replaced.show);
+  };
+  /** @param {string} name of a channel @param {boolean} isUnused */
+  const setUnused = async (name, isUnused) => {
+    const others = equipment.value.unused.filter((other) => other !== name);
+    try {
+      take(await app.api.put("/equipment/unused", { channels: isUnused ? [...others, name] : others }));
+    } catch (error) {
+      app.toasts.show(failureWords(error));
+      equipment.value = { ...equipment.value }; // so that the switch stands as before
+    }
+  };
+  const follow = () => void (live.value = readLive());
+  setState(first.status.message);
+  app.live.addEventListener("quality", () => (follow(), setState(app.live.shirtWords)), { signal: left });
+  app.addEventListener("session", follow, { signal: left });
+  app.live.addEventListener(
+    "changed",
+    ({ detail }) => void (["equipment", "everything"].includes(detail) && read().catch(() => null)),
+    { signal: left },
+  );
+  app.addEventListener("equipment", ({ detail }) => take(detail), { signal: left });
+  /** A `ref` of what the list of replaced files stands in, at its end. @param {HTMLElement | null} place */
+  const appendReplaced = (place) => void place?.append(replaced.element);
+  return { app, left, kinds, equipment, live, state, picked, appendReplaced, take, setUnused };
+}
+
+/** @param {string} words */
+const withoutFigures = (words) => words.replace(/\d+/g, "");
