@@ -179,3 +179,23 @@ def test_after_the_lock_the_page_is_the_one_of_its_address(opened, served, monke
     page.get_by_label("Password of Ada").fill(OWNER["password"])
     page.get_by_role("button", name="Unlock").click()
     expect(page.get_by_role("textbox", name="Name")).to_be_visible()
+
+
+def test_focus_and_what_was_entered_stay_when_the_list_is_read_again(opened, served):
+    page = owner_page(opened, served)
+    go(page, "people")
+    page.get_by_role("button", name="Invite somebody").click()
+    name = page.get_by_label("Name")
+    expect(name).to_be_focused()
+    name.fill("Olga")
+    page.get_by_text("Reviewer", exact=True).first.click()
+    page.get_by_text("Chosen patients", exact=True).click()
+    page.get_by_label("A-03 · Bird A-03").check()
+    name.focus()
+    served.good("POST", "/people", {"name": "Nora", "role": "clinician", "patients": None})
+    expect(page.get_by_role("listitem").filter(has_text="Nora")).to_be_visible(timeout=15_000)
+    expect(name).to_be_focused()
+    expect(name).to_have_value("Olga")
+    expect(page.get_by_label("A-03 · Bird A-03")).to_be_checked()
+    page.get_by_role("button", name="Cancel").click()
+    expect(page.get_by_role("button", name="Invite somebody")).to_be_visible()

@@ -1,7 +1,9 @@
 /**
  * Form pieces: labelled fields, choices, segments, steppers, and the form of one long text.
  * @import { Child } from "types/dom"
+ * @import { VNode } from "../../vendor/preact/preact.js"
  */
+import { cloneElement, h as draw, useState } from "../preact.js";
 import { t } from "../texts.js";
 import { h, set, write } from "./dom.js";
 import { number } from "./format.js";
@@ -23,6 +25,18 @@ export function field(label, input, hint) {
     h("label", { for: id }, label),
     input,
     hint && h("span", { class: "hint", id: `${id}-hint` }, hint),
+  );
+}
+
+/** The same as a component. @param {{label: string, input: VNode<any>, hint?: string}} field */
+export function Field({ label, input, hint }) {
+  const [id] = useState(() => `field-${++made}`);
+  return draw(
+    "div",
+    { class: "field" },
+    draw("label", { for: id }, label),
+    cloneElement(input, { id, "aria-describedby": hint ? `${id}-hint` : undefined }),
+    hint && draw("span", { class: "hint", id: `${id}-hint` }, hint),
   );
 }
 
@@ -75,6 +89,26 @@ export function segments(label, options, chosen, onChange) {
           onchange: () => onChange(option.value),
         }),
         option.label,
+      ),
+    ),
+  );
+}
+
+/**
+ * The same as a component.
+ * @param {{label: string, options: Option<string>[], chosen: string, hidden?: boolean, onChange(value: string): void}} segments
+ */
+export function Segments({ label, options, chosen, hidden, onChange }) {
+  const [name] = useState(() => `segments-${++made}`);
+  return draw(
+    "div",
+    { class: "segments", role: "radiogroup", "aria-label": label, hidden },
+    options.map(({ value, label: words }) =>
+      draw(
+        "label",
+        { key: value },
+        draw("input", { type: "radio", name, value, checked: value === chosen, onChange: () => onChange(value) }),
+        words,
       ),
     ),
   );

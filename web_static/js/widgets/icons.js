@@ -1,4 +1,5 @@
 /** The few icons, drawn for this application on a grid of 24 by 24. */
+import { h } from "../preact.js";
 import { s } from "./dom.js";
 
 const PATHS = {
@@ -43,21 +44,29 @@ const PATHS = {
 
 /** @typedef {keyof typeof PATHS} IconName */
 
+const LINES = {
+  "aria-hidden": "true",
+  fill: "none",
+  stroke: "currentColor",
+  "stroke-width": 1.8,
+  "stroke-linecap": "round",
+  "stroke-linejoin": "round",
+};
+
 /** @param {IconName} name @param {number} [size] in px */
 export function icon(name, size = 24) {
   return s(
     "svg",
-    {
-      viewBox: "0 0 24 24",
-      width: size,
-      height: size,
-      "aria-hidden": "true",
-      fill: "none",
-      stroke: "currentColor",
-      "stroke-width": 1.8,
-      "stroke-linecap": "round",
-      "stroke-linejoin": "round",
-    },
+    { viewBox: "0 0 24 24", width: size, height: size, ...LINES },
     PATHS[name].map((d) => s("path", { d })),
+  );
+}
+
+/** The same as a component. @param {{name: IconName, size?: number}} icon size: in px */
+export function Icon({ name, size = 24 }) {
+  return h(
+    "svg",
+    { viewBox: "0 0 24 24", width: size, height: size, .../** @type {object} */ (LINES) },
+    PATHS[name].map((d) => h("path", { d, key: d })),
   );
 }
