@@ -10,6 +10,7 @@ from browser.served.served_clinic import OWNER
 from browser.sizes import photograph
 from playwright.sync_api import expect
 
+from app.api.live.live_picture import ClinicLive
 from app.clock import utc_now
 from app.store.access import sign_ins
 
@@ -199,3 +200,22 @@ def test_focus_and_what_was_entered_stay_when_the_list_is_read_again(opened, ser
     expect(page.get_by_label("A-03 · Bird A-03")).to_be_checked()
     page.get_by_role("button", name="Cancel").click()
     expect(page.get_by_role("button", name="Invite somebody")).to_be_visible()
+
+
+def test_focus_an_open_part_and_what_was_typed_stay_when_news_come(opened, served):
+    served.open_session("B-12")
+    page = owner_page(opened, served)
+    report = page.get_by_role("listitem").filter(has_text="B-12").locator("details")
+    report.locator("summary").click()
+    report.get_by_label("Paper").select_option("letter")
+    page.get_by_role("button", name="New patient").click()
+    code = page.get_by_role("textbox", name="Code", exact=True)
+    expect(code).to_be_focused()
+    code.fill("P-98")
+    served.good("POST", "/patients", {"code": "P-74", "pseudonym": "Swift", "note": ""})
+    served.app.state.parts[ClinicLive].notify("everything")
+    expect(page.get_by_role("listitem").filter(has_text="P-74")).to_be_visible()
+    expect(code).to_be_focused()
+    expect(code).to_have_value("P-98")
+    expect(report.get_by_label("Paper")).to_have_value("letter")
+    expect(report).to_have_attribute("open", "")

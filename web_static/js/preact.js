@@ -2,10 +2,11 @@
  * What draws the pages, and holds their state: Preact and its signals, of `web_static/vendor/`.
  * @import { ComponentChild } from "../vendor/preact/preact.js"
  */
+import { useLayoutEffect, useRef } from "../vendor/preact/hooks.js";
 import { render } from "../vendor/preact/preact.js";
 
-export { cloneElement, Fragment, h, render } from "../vendor/preact/preact.js";
-export { useLayoutEffect, useRef, useState } from "../vendor/preact/hooks.js";
+export { cloneElement, createRef, Fragment, h, render } from "../vendor/preact/preact.js";
+export { useLayoutEffect, useState } from "../vendor/preact/hooks.js";
 export { signal, useSignal } from "../vendor/@preact/signals/signals.js";
 
 /**
@@ -21,3 +22,17 @@ export function drawPage(root, page, kind = "body") {
 
 /** A `ref` that focuses a control when it appears, not when it is drawn again. @param {HTMLElement | null} control */
 export const focusFirst = (control) => control?.focus();
+
+/**
+ * The `ref` of a place in which something opens: each time, it comes into view, and its first control has the focus.
+ * @param {unknown} opened what is open, another value each time; null: nothing @param {string} [first] selector of that control
+ */
+export function useOpening(opened, first = "input") {
+  const place = useRef(/** @type {HTMLDivElement | null} */ (null));
+  useLayoutEffect(() => {
+    if (!opened) return;
+    place.current?.scrollIntoView({ block: "nearest" });
+    /** @type {HTMLElement | null | undefined} */ (place.current?.querySelector(first))?.focus();
+  }, [opened]);
+  return place;
+}

@@ -67,6 +67,20 @@ export function selection(options, chosen, onChange) {
 }
 
 /**
+ * The same as a component, without groups.
+ * @param {{options: Option<string>[], chosen: string, onChange(value: string): void}} selection
+ */
+export function Selection({ options, chosen, onChange, ...attributes }) {
+  /** @param {{currentTarget: HTMLSelectElement}} event */
+  const change = ({ currentTarget }) => onChange(currentTarget.value);
+  return draw(
+    "select",
+    { ...attributes, value: chosen, onChange: change },
+    options.map(({ value, label }) => draw("option", { value, key: value }, label)),
+  );
+}
+
+/**
  * A few choices side by side.
  * @template {string} Value
  * @param {string} label @param {Option<Value>[]} options @param {NoInfer<Value> | null} chosen

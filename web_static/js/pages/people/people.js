@@ -3,7 +3,7 @@
  * @import { LinkView, PatientView, PersonView } from "types/api"
  */
 import { ApiError, FORBIDDEN } from "../../api.js";
-import { drawPage, Fragment, h, signal, useLayoutEffect, useRef } from "../../preact.js";
+import { drawPage, Fragment, h, signal, useOpening } from "../../preact.js";
 import { t } from "../../texts.js";
 import { moment } from "../../widgets/format.js";
 import { Icon } from "../../widgets/icons.js";
@@ -39,13 +39,8 @@ export async function show(app, root, { signal: left, rest }) {
   };
 
   const Above = () => {
-    const place = useRef(/** @type {HTMLDivElement | null} */ (null));
     const now = opened.value;
-    useLayoutEffect(() => {
-      if (!now) return;
-      place.current?.scrollIntoView({ block: "nearest" });
-      /** @type {HTMLElement | null | undefined} */ (place.current?.querySelector("h2[tabindex], input"))?.focus();
-    }, [now]);
+    const place = useOpening(now, "h2[tabindex], input");
     return h("div", { ref: place }, now ? opening(now) : button());
   };
   const button = () =>
