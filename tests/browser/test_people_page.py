@@ -10,6 +10,7 @@ from browser.served.served_clinic import OWNER
 from browser.sizes import photograph
 from playwright.sync_api import expect
 
+from app.api.live.live_picture import ClinicLive
 from app.clock import utc_now
 from app.store.access import sign_ins
 
@@ -179,3 +180,42 @@ def test_after_the_lock_the_page_is_the_one_of_its_address(opened, served, monke
     page.get_by_label("Password of Ada").fill(OWNER["password"])
     page.get_by_role("button", name="Unlock").click()
     expect(page.get_by_role("textbox", name="Name")).to_be_visible()
+
+
+def test_focus_and_what_was_entered_stay_when_the_list_is_read_again(opened, served):
+    page = owner_page(opened, served)
+    go(page, "people")
+    page.get_by_role("button", name="Invite somebody").click()
+    name = page.get_by_label("Name")
+    expect(name).to_be_focused()
+    name.fill("Olga")
+    page.get_by_text("Reviewer", exact=True).first.click()
+    page.get_by_text("Chosen patients", exact=True).click()
+    page.get_by_label("A-03 · Bird A-03").check()
+    name.focus()
+    served.good("POST", "/people", {"name": "Nora", "role": "clinician", "patients": None})
+    expect(page.get_by_role("listitem").filter(has_text="Nora")).to_be_visible(timeout=15_000)
+    expect(name).to_be_focused()
+    expect(name).to_have_value("Olga")
+    expect(page.get_by_label("A-03 · Bird A-03")).to_be_checked()
+    page.get_by_role("button", name="Cancel").click()
+    expect(page.get_by_role("button", name="Invite somebody")).to_be_visible()
+
+
+def test_focus_an_open_part_and_what_was_typed_stay_when_news_come(opened, served):
+    served.open_session("B-12")
+    page = owner_page(opened, served)
+    report = page.get_by_role("listitem").filter(has_text="B-12").locator("details")
+    report.locator("summary").click()
+    report.get_by_label("Paper").select_option("letter")
+    page.get_by_role("button", name="New patient").click()
+    code = page.get_by_role("textbox", name="Code", exact=True)
+    expect(code).to_be_focused()
+    code.fill("P-98")
+    served.good("POST", "/patients", {"code": "P-74", "pseudonym": "Swift", "note": ""})
+    served.app.state.parts[ClinicLive].notify("everything")
+    expect(page.get_by_role("listitem").filter(has_text="P-74")).to_be_visible()
+    expect(code).to_be_focused()
+    expect(code).to_have_value("P-98")
+    expect(report.get_by_label("Paper")).to_have_value("letter")
+    expect(report).to_have_attribute("open", "")

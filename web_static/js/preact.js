@@ -6,9 +6,10 @@
 /** @template Props @typedef {import("../vendor/preact/preact.js").VNode<Props>} VNode */
 /** @template Element @typedef {import("../vendor/preact/preact.js").Ref<Element>} Ref */
 /** @template Value @typedef {import("../vendor/@preact/signals/signals.js").ReadonlySignal<Value>} ReadonlySignal */
+import { useLayoutEffect, useRef } from "../vendor/preact/hooks.js";
 import { render } from "../vendor/preact/preact.js";
 
-export { cloneElement, Fragment, h, render } from "../vendor/preact/preact.js";
+export { cloneElement, createRef, Fragment, h, render } from "../vendor/preact/preact.js";
 export { useLayoutEffect, useMemo, useRef, useState } from "../vendor/preact/hooks.js";
 export { computed, signal, useComputed, useSignal } from "../vendor/@preact/signals/signals.js";
 
@@ -25,3 +26,17 @@ export function drawPage(root, page, kind = "body") {
 
 /** A `ref` of a control that has the focus as soon as it appears. @param {HTMLElement | null} control */
 export const focusFirst = (control) => control?.focus();
+
+/**
+ * The `ref` of a place in which something opens: each time, it comes into view, and its first control has the focus.
+ * @param {unknown} opened what is open, another value each time; null: nothing @param {string} [first] selector of that control
+ */
+export function useOpening(opened, first = "input") {
+  const place = useRef(/** @type {HTMLDivElement | null} */ (null));
+  useLayoutEffect(() => {
+    if (!opened) return;
+    place.current?.scrollIntoView({ block: "nearest" });
+    /** @type {HTMLElement | null | undefined} */ (place.current?.querySelector(first))?.focus();
+  }, [opened]);
+  return place;
+}

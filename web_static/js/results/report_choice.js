@@ -5,8 +5,8 @@
  * @import { ConsentsView } from "types/api"
  */
 import { LANGUAGE } from "../language.js";
-import { h, write } from "../widgets/dom.js";
-import { field, selection } from "../widgets/fields.js";
+import { Fragment, h, render, useLayoutEffect, useSignal } from "../preact.js";
+import { Field, Selection } from "../widgets/fields.js";
 import { languageOptions } from "../widgets/language_choice.js";
 import { t } from "../texts.js";
 
@@ -20,91 +20,97 @@ export function mayExport(app) {
 }
 
 /**
- * A choice of session, reader, paper and, where there are several, language, with the two files; null without the right to export, or without a session.
- * @param {App} app @param {{id: number, code: string, sessions: number}} patient sessions: how many there are
- * @param {number} [session] number of the session that is chosen at first; without: all
+ * A choice of session, reader, paper and, where there are several, language, with the two files.
+ * @param {object} choice
+ * @param {App} choice.app
+ * @param {{id: number, code: string, sessions: number}} choice.patient sessions: how many there are
+ * @param {number} [choice.session] number of the session that is chosen at first; without: all
  */
-export function reportChoice(app, patient, session) {
-  if (!mayExport(app) || !patient.sessions) return null;
-  let chosen = session ? String(session) : ALL;
-  let paper = localStorage.getItem(PAPER_PLACE) === "letter" ? "letter" : "a4";
-  const links = ["pdf", "html"].map((form) => ({
-    form,
-    link: h("a", { class: "btn", download: "" }, t(`report-${form}`)),
-  }));
-  /** @type {(typeof READERS)[number]} */
-  let reader = "others";
-  /** @type {string} */
-  let language = LANGUAGE;
-  /** @type {ConsentsView["consents"] | null} */
-  let consents = null;
-  const files = h(
-    "span",
-    { class: "spread" },
-    links.map(({ link }) => link),
-  );
-  const words = h("span", { class: "grow", role: "status" });
-  const enter = h("a", { class: "btn", href: `#/session/patient/${patient.id}` }, t("report-consent-go"));
-  const draw = () => {
-    const isShared = consents?.some(({ consent, given }) => consent === "sharing" && given);
-    files.hidden = reader === "others" && !isShared;
-    write(words, consents && files.hidden ? t("report-consent", { code: patient.code }) : "");
-    enter.hidden = !words.textContent;
-    for (const { form, link } of links) {
-      link.setAttribute("href", reportAddress(patient.id, { form, session: chosen, paper, reader, language }));
-      link.setAttribute("aria-label", t(`report-${form}-label`, { what: wordsOf(chosen), code: patient.code }));
-    }
-  };
+export function ReportChoice({ app, patient, session }) {
+  const { id, code } = patient;
+  const chosen = useSignal(session ? String(session) : ALL);
+  const paper = useSignal(localStorage.getItem(PAPER_PLACE) === "letter" ? "letter" : "a4");
+  const reader = useSignal(/** @type {(typeof READERS)[number]} */ ("others"));
+  const language = useSignal(/** @type {string} */ (LANGUAGE));
+  const consents = useSignal(/** @type {ConsentsView["consents"] | null} */ (null));
+  useLayoutEffect(() => {
+    const read = app.toasts.attempt(() => app.api.get(`/patients/${id}/consents`));
+    read.then((found) => (consents.value = found?.consents ?? null));
+  }, []);
+  const isShared = consents.value?.some(({ consent, given }) => consent === "sharing" && given);
+  const isHidden = reader.value === "others" && !isShared;
+  const isAsked = isHidden && consents.value !== null;
   const numbers = Array.from({ length: patient.sessions }, (_, place) => String(patient.sessions - place));
-  const sessions = selection(
-    [ALL, ...numbers].map((value) => ({ value, label: wordsOf(value) })),
-    chosen,
-    (value) => ((chosen = value), draw()),
-  );
-  const papers = selection(
-    ["a4", "letter"].map((value) => ({ value, label: t(`report-paper-${value}`) })),
-    paper,
-    (value) => (localStorage.setItem(PAPER_PLACE, (paper = value)), draw()),
-  );
-  const readers = selection(
-    READERS.map((value) => ({ value, label: t(`report-reader-${value}`) })),
-    reader,
-    (value) => ((reader = value), draw()),
-  );
+  const sessions = h(Selection, {
+    options: [ALL, ...numbers].map((value) => ({ value, label: wordsOf(value) })),
+    chosen: chosen.value,
+    onChange: (value) => (chosen.value = value),
+  });
+  const readers = h(Selection, {
+    options: READERS.map((value) => ({ value, label: t(`report-reader-${value}`) })),
+    chosen: reader.value,
+    onChange: (value) => {
+      reader.value = value;
+    },
+  });
+  const papers = h(Selection, {
+    options: ["a4", "letter"].map((value) => ({ value, label: t(`report-paper-${value}`) })),
+    chosen: paper.value,
+    onChange: (value) => {
+      paper.value = value;
+      localStorage.setItem(PAPER_PLACE, value);
+    },
+  });
   const offered = app.me?.languages ?? [];
-  const languages =
-    offered.length > 1 && selection(languageOptions(offered), language, (value) => ((language = value), draw()));
-  draw();
-  app.toasts
-    .attempt(() => app.api.get(`/patients/${patient.id}/consents`))
-    .then((found) => {
-      consents = found?.consents ?? null;
-      draw();
+  const languages = h(Selection, {
+    options: languageOptions(offered),
+    chosen: language.value,
+    onChange: (value) => (language.value = value),
+  });
+  /** @param {string} form */
+  const file = (form) => {
+    const href = reportAddress(id, {
+      form,
+      session: chosen.value,
+      paper: paper.value,
+      reader: reader.value,
+      language: language.value,
     });
+    const label = t(`report-${form}-label`, { what: wordsOf(chosen.value), code });
+    return h("a", { key: form, class: "btn", download: "", href, "aria-label": label }, t(`report-${form}`));
+  };
   return h(
     "div",
     { class: "stack report-choice" },
     h(
       "div",
       { class: "columns" },
-      field(t("report-what"), sessions),
-      field(t("report-reader"), readers),
-      field(t("report-paper"), papers),
-      languages && field(t("language-title"), languages),
+      h(Field, { label: t("report-what") }, sessions),
+      h(Field, { label: t("report-reader") }, readers),
+      h(Field, { label: t("report-paper") }, papers),
+      offered.length > 1 && h(Field, { label: t("language-title") }, languages),
     ),
-    h("p", { class: "spread" }, words, enter),
-    h("p", { class: "spread" }, files),
+    h(
+      "p",
+      { class: "spread" },
+      h("span", { class: "grow", role: "status" }, isAsked && t("report-consent", { code })),
+      h("a", { class: "btn", href: `#/session/patient/${id}`, hidden: !isAsked }, t("report-consent-go")),
+    ),
+    h("p", { class: "spread" }, h("span", { class: "spread", hidden: isHidden }, ["pdf", "html"].map(file))),
     h("p", { class: "quiet small" }, t("report-log"), " ", t("report-apart")),
   );
 }
 
 /**
- * The same choice as a card of a page.
+ * The same choice as a card of a page; null without the right to export, or without a session.
  * @param {App} app @param {{id: number, code: string, sessions: number}} patient @param {number} [session]
  */
 export function reportCard(app, patient, session) {
-  const choice = reportChoice(app, patient, session);
-  return choice && h("section", { class: "card" }, h("h2", {}, t("report-title")), choice);
+  if (!mayExport(app) || !patient.sessions) return null;
+  const card = document.createElement("section");
+  card.className = "card";
+  render(h(Fragment, {}, h("h2", {}, t("report-title")), h(ReportChoice, { app, patient, session })), card);
+  return card;
 }
 
 /** @param {number} patient @param {Record<"form" | "session" | "paper" | "reader" | "language", string>} chosen */

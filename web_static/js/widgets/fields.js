@@ -113,6 +113,26 @@ export function segments(label, options, chosen, onChange) {
 }
 
 /**
+ * The same as a component.
+ * @param {{label: string, options: Option<string>[], chosen: string, hidden?: boolean, onChange(value: string): void}} segments
+ */
+export function Segments({ label, options, chosen, hidden, onChange }) {
+  const [name] = useState(() => `segments-${++made}`);
+  return draw(
+    "div",
+    { class: "segments", role: "radiogroup", "aria-label": label, hidden },
+    options.map(({ value, label: words }) =>
+      draw(
+        "label",
+        { key: value },
+        draw("input", { type: "radio", name, value, checked: value === chosen, onChange: () => onChange(value) }),
+        words,
+      ),
+    ),
+  );
+}
+
+/**
  * @template {string} Value
  * @typedef {{value: Value, label: string, hint?: string}} Choice
  */

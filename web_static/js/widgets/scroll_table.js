@@ -1,4 +1,8 @@
-/** A table in a region of its own that scrolls sideways: a narrow screen keeps all of its columns. */
+/**
+ * A table in a region of its own that scrolls sideways: a narrow screen keeps all of its columns.
+ * @import { ComponentChildren } from "../../vendor/preact/preact.js"
+ */
+import { h as draw } from "../preact.js";
 import { h } from "./dom.js";
 
 /**
@@ -10,5 +14,14 @@ export function scrollTable(label, kind, ...parts) {
     "div",
     { class: "scroll-x", tabindex: "0", role: "region", "aria-label": label },
     h("table", { class: kind }, parts),
+  );
+}
+
+/** The same as a component. @param {{label: string, kind: string, children?: ComponentChildren}} table */
+export function ScrollTable({ label, kind, children }) {
+  return draw(
+    "div",
+    { class: "scroll-x", tabindex: 0, role: "region", "aria-label": label },
+    draw("table", { class: kind }, children),
   );
 }

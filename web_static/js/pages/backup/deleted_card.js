@@ -2,7 +2,7 @@
  * Deleted patients: how many days are left, undo, and erase for good now.
  * @import { BackupsView, DeletedPatientView } from "types/api"
  */
-import { Fragment, h, render, signal } from "../../preact.js";
+import { focusFirst, Fragment, h, render, signal } from "../../preact.js";
 import { REFERENCE } from "../../reference.js";
 import { t } from "../../texts.js";
 
@@ -97,6 +97,3 @@ function confirmation(code, onErase, onClose) {
     ),
   );
 }
-
-/** Focus a control when it appears, not when it is drawn again. @param {HTMLElement | null} control */
-const focusFirst = (control) => control?.focus();

@@ -3,100 +3,104 @@
  * @import { ComputerView, FindingView } from "types/api"
  */
 import { ApiError, FORBIDDEN, failureWords } from "../../api.js";
+import { drawPage, Fragment, h, signal, useOpening } from "../../preact.js";
 import { t } from "../../texts.js";
-import { h, put, write } from "../../widgets/dom.js";
-import { icon } from "../../widgets/icons.js";
+import { Icon } from "../../widgets/icons.js";
 
 const SECONDS = 10; // s
 const SHOW_EVERY = 250; // ms
 const ICONS = /** @type {const} */ ({ good: "tick", attention: "warning", bad: "cross" });
 
 /** @param {import("../../main.js").App} app @param {HTMLElement} root @param {{signal: AbortSignal}} page */
-export async function show(app, root, { signal }) {
+export async function show(app, root, { signal: left }) {
   if (app.me?.role !== "owner") throw new ApiError(t("computer-owner"), FORBIDDEN);
-  const go = h("button", { type: "button", class: "btn go" }, t("computer-go", { seconds: SECONDS }));
-  const course = measuringCourse(signal);
-  const problem = h("p", { class: "problem", role: "alert" });
-  const place = h("div", { class: "stack" });
+  const time = signal(/** @type {number | null} */ (null)); // s since the measurement began; null: none goes on
+  const measured = signal(/** @type {ComputerView | null} */ (null));
+  const problem = signal("");
+  const again = signal(false); // whether it was measured before
   const measure = async () => {
-    go.disabled = true;
-    write(problem, "");
-    put(place);
-    course.begin();
+    const since = performance.now();
+    [time.value, measured.value, problem.value] = [0, null, ""];
+    const timer = setInterval(() => (time.value = (performance.now() - since) / 1000), SHOW_EVERY);
+    left.addEventListener("abort", () => clearInterval(timer));
     try {
-      const found = await app.api.post("/computer/measurement", { seconds: SECONDS });
-      if (signal.aborted) return;
-      put(place, results(found));
+      measured.value = await app.api.post("/computer/measurement", { seconds: SECONDS });
     } catch (error) {
-      if (!signal.aborted) write(problem, failureWords(error));
-    } finally {
-      course.end();
-      go.disabled = false;
-      write(go, t("computer-again"));
+      problem.value = failureWords(error);
     }
-    place.querySelector("h2")?.focus();
+    clearInterval(timer);
+    [time.value, again.value] = [null, true];
   };
-  go.addEventListener("click", measure);
-  put(
+  const Measurement = () =>
+    h(
+      "section",
+      { class: "card stack" },
+      h("p", {}, t("computer-measured")),
+      h(
+        "div",
+        {},
+        h(
+          "button",
+          { type: "button", class: "btn go", disabled: time.value !== null, onClick: measure },
+          again.value ? t("computer-again") : t("computer-go", { seconds: SECONDS }),
+        ),
+      ),
+      h(Course, { time: time.value }),
+      h("p", { class: "problem", role: "alert" }, problem.value),
+    );
+  const Results = () => {
+    const place = useOpening(measured.value, "h2");
+    return h("div", { class: "stack", ref: place }, measured.value && results(measured.value));
+  };
+  drawPage(
     root,
     h(
-      "div",
-      { class: "body stack" },
-      h("div", {}, h("h1", { tabindex: "-1" }, t("rail-computer")), h("p", { class: "lead" }, t("computer-lead"))),
-      h(
-        "section",
-        { class: "card stack" },
-        h("p", {}, t("computer-measured")),
-        h("div", {}, go),
-        course.element,
-        problem,
-      ),
-      place,
+      Fragment,
+      {},
+      h("div", {}, h("h1", { tabindex: -1 }, t("rail-computer")), h("p", { class: "lead" }, t("computer-lead"))),
+      h(Measurement, {}),
+      h(Results, {}),
       h("div", {}, h("a", { class: "btn small", href: "#/settings" }, t("people-back"))),
     ),
+    "body stack",
   );
 }
 
-/** That it is being measured, and for how long still. @param {AbortSignal} signal */
-function measuringCourse(signal) {
-  const words = h("p", { class: "unseen", role: "status" }); // written once: each change is read out
-  const left = h("p", { class: "number", "aria-hidden": "true" });
-  const bar = h("progress", { max: SECONDS, value: 0, "aria-label": t("computer-progress"), hidden: true });
-  let timer = 0;
-  let since = 0;
-  const draw = () => {
-    const time = (performance.now() - since) / 1000;
-    bar.value = Math.min(SECONDS, time);
-    write(left, time < SECONDS ? t("computer-measuring", { left: Math.ceil(SECONDS - time) }) : t("computer-counting"));
-  };
-  const begin = () => {
-    since = performance.now();
-    bar.hidden = false;
-    write(words, t("computer-measuring", { left: SECONDS }));
-    draw();
-    timer = setInterval(draw, SHOW_EVERY);
-  };
-  const end = () => {
-    clearInterval(timer);
-    bar.hidden = true;
-    write(words, "");
-    write(left, "");
-  };
-  signal.addEventListener("abort", end);
-  return { element: h("div", { class: "measuring" }, words, left, bar), begin, end };
+/** That it is being measured, and for how long still. @param {{time: number | null}} course s since it began */
+function Course({ time }) {
+  const left = Math.ceil(SECONDS - (time ?? 0));
+  return h(
+    "div",
+    { class: "measuring" },
+    // Read out, therefore without the seconds that go by.
+    h("p", { class: "unseen", role: "status" }, time !== null && t("computer-measuring", { left: SECONDS })),
+    h(
+      "p",
+      { class: "number", "aria-hidden": "true" },
+      time !== null && (left > 0 ? t("computer-measuring", { left }) : t("computer-counting")),
+    ),
+    h("progress", {
+      max: SECONDS,
+      value: Math.min(SECONDS, time ?? 0),
+      "aria-label": t("computer-progress"),
+      hidden: time === null,
+    }),
+  );
 }
 
-/** @param {ComputerView} found */
+/** @param {ComputerView} measured */
 function results({ machine, screens }) {
   const failing = screens.filter(({ verdict }) => verdict === "bad").length;
   const worst = failing ? "bad" : machine.verdict;
   const words = failing ? `${machine.message} ${t("computer-screens-bad", { count: failing })}` : machine.message;
-  return [
+  return h(
+    Fragment,
+    {},
     h(
       "section",
       { class: `card findings ${worst}` },
-      h("h2", { tabindex: "-1" }, t("computer-machine")),
-      h("p", { class: "summary" }, mark({ verdict: worst }), h("b", {}, words)),
+      h("h2", { tabindex: -1 }, t("computer-machine")),
+      h("p", { class: "summary" }, mark(worst), h("b", {}, words)),
       list(machine.findings),
     ),
     h(
@@ -105,24 +109,22 @@ function results({ machine, screens }) {
       h("h2", {}, t("computer-screens")),
       screens.length ? list(screens) : h("p", { class: "quiet" }, t("computer-no-screens")),
     ),
-  ];
+  );
 }
 
 /** @param {FindingView[]} findings */
-function list(findings) {
-  return h(
+const list = (findings) =>
+  h(
     "ul",
     {},
-    findings.map((finding) => h("li", {}, mark(finding), h("span", {}, finding.message))),
+    findings.map(({ verdict, message }) => h("li", {}, mark(verdict), h("span", {}, message))),
   );
-}
 
-/** A sign and, for those who do not see it, a word. @param {{verdict: FindingView["verdict"]}} finding */
-function mark({ verdict }) {
-  return h(
+/** A sign and, for those who do not see it, a word. @param {FindingView["verdict"]} verdict */
+const mark = (verdict) =>
+  h(
     "span",
     { class: `mark ${verdict}` },
-    icon(ICONS[verdict], 20),
+    h(Icon, { name: ICONS[verdict], size: 20 }),
     h("span", { class: "unseen" }, t(`computer-verdict-${verdict}`), ": "),
   );
-}

@@ -3,19 +3,22 @@
  * @import { ImportedView } from "types/api"
  */
 import { ApiError, failureWords } from "../../api.js";
+import { createRef, h, signal } from "../../preact.js";
 import { t } from "../../texts.js";
-import { h, write } from "../../widgets/dom.js";
-import { hiddenFileInput } from "../../widgets/fields.js";
+import { h as element } from "../../widgets/dom.js";
 import { size } from "../../widgets/format.js";
 import { ask } from "../../widgets/question.js";
 
 const LOOK_EVERY = 1000; // ms
 
-/** @param {import("../../main.js").App} app @param {() => Promise<void>} onImported @param {AbortSignal} signal */
-export function archiveImport(app, onImported, signal) {
-  const words = h("p", { class: "quiet", role: "status" });
-  const problem = h("p", { class: "problem", role: "alert" });
-  const progress = importProgress(app, signal);
+/**
+ * The button that begins the import and, to stand elsewhere, its course.
+ * @param {import("../../main.js").App} app @param {() => Promise<void>} onImported @param {AbortSignal} left
+ */
+export function archiveImport(app, onImported, left) {
+  const input = /** @type {{current: HTMLInputElement | null}} */ (createRef());
+  const result = signal({ message: "", problem: "" });
+  const step = signal(/** @type {{words: string, share: number} | null} */ (null)); // null: nothing is imported
   /** Send the archive; when its patient is here, ask and send it again. @param {File} file */
   const send = async (file) => {
     try {
@@ -26,68 +29,72 @@ export function archiveImport(app, onImported, signal) {
         { value: /** @type {const} */ ("replace"), label: t("import-replace") },
         { value: null, label: t("cancel"), kind: "btn go" },
       ];
-      const chosen = await ask(
-        app.question,
-        error.message,
-        answers,
-        h("p", { class: "quiet small" }, t("import-kept")),
-      );
+      const kept = element("p", { class: "quiet small" }, t("import-kept"));
+      const chosen = await ask(app.question, error.message, answers, kept);
       return chosen && app.api.send(`/archives?${chosen}=true`, file);
     }
   };
-  const button = h("button", { type: "button", class: "btn", onclick: () => input.click() }, t("import-go"));
-  const input = hiddenFileInput(".zip,application/zip", async (file) => {
-    input.value = ""; // so that the same file can be chosen again
-    button.disabled = true;
-    write(problem, "");
-    write(words, t("import-under-way", { name: file.name }));
-    progress.begin();
+  const look = async () => {
+    const course = await app.api.get("/archives").catch(() => null);
+    if (!step.value || !course?.total) return;
+    const { step: name, done, total } = course;
+    step.value = { words: t(`import-${name}`, { done: size(done), total: size(total) }), share: done / total };
+  };
+  /** @param {File} file */
+  const run = async (file) => {
+    result.value = { message: t("import-under-way", { name: file.name }), problem: "" };
+    step.value = { words: "", share: 0 };
+    const timer = setInterval(look, LOOK_EVERY);
+    left.addEventListener("abort", () => clearInterval(timer));
     try {
       const imported = await send(file);
       if (imported) await onImported();
-      write(words, imported ? whatCameIn(imported) : "");
+      result.value = { message: imported ? whatCameIn(imported) : "", problem: "" };
     } catch (error) {
-      write(words, "");
-      write(problem, failureWords(error));
+      result.value = { message: "", problem: failureWords(error) };
     }
-    progress.end();
-    button.disabled = false;
-  });
-  return { button, course: h("div", { class: "above-list" }, input, words, progress.element, problem) };
+    clearInterval(timer);
+    step.value = null;
+  };
+  /** @param {{currentTarget: HTMLInputElement}} event */
+  const choose = ({ currentTarget }) => {
+    const file = currentTarget.files?.[0];
+    currentTarget.value = ""; // so that the same file can be chosen again
+    if (file) run(file);
+  };
+  const ImportButton = () =>
+    h(
+      "button",
+      { type: "button", class: "btn", disabled: step.value !== null, onClick: () => input.current?.click() },
+      t("import-go"),
+    );
+  const ImportCourse = () =>
+    h(
+      "div",
+      { class: "above-list" },
+      h("input", {
+        type: "file",
+        accept: ".zip,application/zip",
+        class: "unseen",
+        tabindex: -1,
+        "aria-hidden": "true",
+        ref: input,
+        onChange: choose,
+      }),
+      h("p", { class: "quiet", role: "status" }, result.value.message),
+      h(
+        "div",
+        { class: "measuring", hidden: step.value === null },
+        h("p", { class: "number", "aria-hidden": "true" }, step.value?.words),
+        h("progress", { max: 1, value: step.value?.share ?? 0, "aria-label": t("import-progress") }),
+      ),
+      h("p", { class: "problem", role: "alert" }, result.value.problem),
+    );
+  return { ImportButton, ImportCourse };
 }
 
 /** @param {ImportedView} imported */
 function whatCameIn({ code, is_new: isNew, sessions, trials, kept }) {
   if (!isNew && !kept) return t("import-known", { code });
   return kept ? t("import-replaced", { code, sessions, trials, kept }) : t("import-done", { code, sessions, trials });
-}
-
-/** How far the import is, in figures and as a bar. @param {import("../../main.js").App} app @param {AbortSignal} signal */
-function importProgress(app, signal) {
-  const step = h("p", { class: "number", "aria-hidden": "true" });
-  const bar = h("progress", { max: 1, value: 0, "aria-label": t("import-progress") });
-  const element = h("div", { class: "measuring", hidden: true }, step, bar);
-  let timer = 0;
-  const look = async () => {
-    const course = await app.api.get("/archives").catch(() => null);
-    if (element.hidden || signal.aborted) return;
-    if (course?.total) {
-      const { step: name, done, total } = course;
-      write(step, t(`import-${name}`, { done: size(done), total: size(total) }));
-      bar.value = done / total;
-    }
-    timer = setTimeout(look, LOOK_EVERY);
-  };
-  const begin = () => {
-    write(step, "");
-    bar.value = 0;
-    element.hidden = false;
-    timer = setTimeout(look, LOOK_EVERY);
-  };
-  const end = () => {
-    element.hidden = true;
-    clearTimeout(timer);
-  };
-  signal.addEventListener("abort", end);
-  return { element, begin, end };
 }

@@ -1,36 +1,36 @@
 /** The form that asks why a patient is deleted, while the records must be kept. */
 import { failureWords } from "../../api.js";
+import { h, useSignal } from "../../preact.js";
 import { t } from "../../texts.js";
-import { h, write } from "../../widgets/dom.js";
-import { field } from "../../widgets/fields.js";
+import { Field } from "../../widgets/fields.js";
 
-/**
- * @param {string} words why a reason is needed
- * @param {{send: (reason: string) => Promise<unknown>, onClose: () => void}} then
- */
-export function deletionForm(words, { send, onClose }) {
-  const reason = h("input", { type: "text", required: true, minlength: 3, maxlength: 400 });
-  const problem = h("p", { class: "problem", role: "alert" });
+/** @param {{message: string, send: (reason: string) => Promise<unknown>, onClose: () => void}} form message: why a reason is needed */
+export function DeletionForm({ message, send, onClose }) {
+  const problem = useSignal("");
   /** @param {SubmitEvent} event */
-  const submit = async (event) => {
+  const submit = (event) => {
     event.preventDefault();
-    try {
-      await send(reason.value.trim());
-    } catch (error) {
-      write(problem, failureWords(error));
-    }
+    const { reason } = Object.fromEntries(new FormData(/** @type {HTMLFormElement} */ (event.currentTarget)));
+    return send(String(reason).trim()).catch((error) => (problem.value = failureWords(error)));
   };
   return h(
     "form",
-    { class: "card stack", onsubmit: submit },
-    h("p", {}, words),
-    field(t("deleted-reason"), reason, t("deleted-reason-hint")),
-    problem,
+    { class: "card stack", onSubmit: submit },
+    h("p", {}, message),
+    h(
+      Field,
+      {
+        label: t("deleted-reason"),
+        hint: t("deleted-reason-hint"),
+      },
+      h("input", { type: "text", name: "reason", required: true, minlength: 3, maxlength: 400 }),
+    ),
+    h("p", { class: "problem", role: "alert" }, problem.value),
     h(
       "div",
       { class: "spread" },
       h("button", { class: "btn go" }, t("deleted-reason-go")),
-      h("button", { type: "button", class: "btn", onclick: onClose }, t("cancel")),
+      h("button", { type: "button", class: "btn", onClick: onClose }, t("cancel")),
     ),
   );
 }

@@ -5,55 +5,45 @@
  */
 import { ApiError } from "../../api.js";
 import { archiveImport } from "./archive_import.js";
-import { deletionForm } from "./deletion_form.js";
-import { h, put } from "../../widgets/dom.js";
+import { DeletionForm } from "./deletion_form.js";
+import { drawPage, Fragment, h, signal, useOpening, useSignal } from "../../preact.js";
 import { day, minuteOfDay } from "../../widgets/format.js";
-import { icon } from "../../widgets/icons.js";
-import { rowList } from "../../widgets/list.js";
-import { newPatientForm } from "./patient_form.js";
+import { Icon } from "../../widgets/icons.js";
+import { NewPatientForm } from "./patient_form.js";
 import { ask } from "../../widgets/question.js";
-import { mayExport, reportChoice } from "../../results/report_choice.js";
+import { mayExport, ReportChoice } from "../../results/report_choice.js";
 import { t } from "../../texts.js";
 
 const CONFLICT = 409;
 const SECOND_TAP = 1000; // ms: so late may a hasty second tap on a button come
 const NEWS = new Set(["session", "trial", "everything"]); // after which a row may differ
 
-/** @param {import("../../main.js").App} app @param {HTMLElement} root @param {{signal: AbortSignal}} page */
-export async function show(app, root, { signal }) {
+/** @param {App} app @param {HTMLElement} root @param {{signal: AbortSignal}} page */
+export async function show(app, root, { signal: left }) {
   const isOwner = app.me?.role === "owner";
   const [first, people] = await Promise.all([
     app.api.get("/patients"),
     isOwner && !app.me?.demo ? app.api.get("/people") : null,
   ]);
-  let patients = first;
-  if (signal.aborted) return;
-  const list = rowList("people");
-  const search = h("input", { type: "search", "aria-label": t("patients-search"), placeholder: t("patients-search") });
-  const form = h("div", { hidden: true });
+  if (left.aborted) return;
+  const patients = signal(first);
+  const here = signal(app.session?.patient?.id ?? null); // id of the patient who is here
+  const searched = signal("");
+  // The form above the list: for a new patient, or for the reason of a deletion.
+  const opened = signal(/** @type {{deleted?: PatientView, message?: string} | null} */ (null));
+  let changedAt = -Infinity; // ms, when the list showed somebody else as here
 
-  const read = async () => {
-    patients = await app.api.get("/patients");
-    showList();
-  };
-  /** @param {CustomEvent<string>} event */
-  const follow = async ({ detail }) => {
-    if (!NEWS.has(detail)) return;
-    const now = await app.api.get("/patients").catch(() => patients);
-    if (signal.aborted || JSON.stringify(now) === JSON.stringify(patients)) return; // an open report stays open
-    patients = now;
-    showList();
-  };
+  const read = async () => void (patients.value = await app.api.get("/patients"));
+  const close = () => void (opened.value = null);
   // In a shirt that nobody wears there is nothing to look at before the calibration.
   const unknown = () => (app.practice ? "#/calibrate" : "#/shirt");
   const goOn = () => app.go(app.session?.has_profile ? "#/drive" : unknown());
   let turn = Promise.resolve();
   /** One after the other: a change names the session that the one before it left. @param {() => Promise<void>} change */
   const inTurn = (change) => (turn = turn.then(change, change));
-  /** @param {PatientView} patient @param {HTMLButtonElement | null} [button] that was tapped */
-  const open = (patient, button = null) => {
-    if (button) button.disabled = true; // opening a session takes a moment: a second tap shall do nothing
-    return inTurn(async () => {
+  /** @param {PatientView} patient */
+  const open = (patient) =>
+    inTurn(async () => {
       const begun = await app.toasts.attempt(async () => {
         const ends = await agreedEnd(app, patient);
         return ends === undefined ? null : app.api.post("/session", { patient_id: patient.id, ends });
@@ -62,31 +52,18 @@ export async function show(app, root, { signal }) {
       await app.readSession({ isOwn: true });
       goOn();
     });
-  };
-  let shownHere = app.session?.patient?.id; // the patient who is here, in the list as it is shown
-  let changedAt = -Infinity; // ms, when the list showed somebody else as here
   /** @param {PatientView} patient */
   const remove = async (patient) => {
     if (performance.now() - changedAt < SECOND_TAP) return; // the bin took the place of "End session" under the finger
     try {
       await app.api.remove(`/patients/${patient.id}`);
     } catch (error) {
-      if (error instanceof ApiError && error.status === CONFLICT) return askWhy(patient, error.message);
-      return void app.toasts.attempt(() => Promise.reject(error));
+      if (!(error instanceof ApiError && error.status === CONFLICT))
+        return void app.toasts.attempt(() => Promise.reject(error));
+      opened.value = { deleted: patient, message: error.message };
+      return;
     }
     await removed(patient);
-  };
-  /** @param {PatientView} patient @param {string} words */
-  const askWhy = (patient, words) => {
-    /** @param {string} reason */
-    const send = async (reason) => {
-      await app.api.remove(`/patients/${patient.id}`, { reason });
-      form.hidden = true;
-      await removed(patient);
-    };
-    form.hidden = false;
-    put(form, deletionForm(words, { send, onClose: () => (form.hidden = true) }));
-    form.querySelector("input")?.focus();
   };
   /** @param {PatientView} patient */
   const removed = async (patient) => {
@@ -101,48 +78,86 @@ export async function show(app, root, { signal }) {
     inTurn(async () => {
       if (!(await app.toasts.attempt(() => app.api.remove("/session")))) return;
       await app.readSession({ isOwn: true });
-      showList();
       app.toasts.show(t("patients-ended"));
     });
-  const showList = () => {
-    const here = app.session?.patient?.id;
-    if (here !== shownHere) [shownHere, changedAt] = [here, performance.now()];
-    const words = search.value.trim().toLowerCase();
-    const found = patients.filter((patient) => `${patient.code} ${patient.pseudonym}`.toLowerCase().includes(words));
-    const none = words ? t("patients-none-found", { words: search.value.trim() }) : t("patients-empty");
-    list.show(
-      found.map((patient) => row(app, patient, { open, remove, end, goOn })),
-      h("p", { class: "card quiet" }, none),
+  const actions = { open, remove, end, goOn };
+
+  const Opened = () => {
+    const place = useOpening(opened.value);
+    return h("div", { ref: place, hidden: !opened.value }, opened.value && opening(opened.value));
+  };
+  /** @param {NonNullable<typeof opened.value>} now */
+  const opening = ({ deleted, message = "" }) => {
+    if (!deleted) return h(NewPatientForm, { app, onAdded: open, onClose: close });
+    /** @param {string} reason */
+    const send = async (reason) => {
+      await app.api.remove(`/patients/${deleted.id}`, { reason });
+      close();
+      await removed(deleted);
+    };
+    return h(DeletionForm, { key: deleted.id, message, send, onClose: close });
+  };
+  const List = () => {
+    const words = searched.value.trim();
+    const found = patients.value.filter(({ code, pseudonym }) =>
+      `${code} ${pseudonym}`.toLowerCase().includes(words.toLowerCase()),
+    );
+    const none = words ? t("patients-none-found", { words }) : t("patients-empty");
+    return h(
+      "div",
+      { class: "people", role: found.length ? "list" : undefined },
+      found.map((patient) => h(Row, { key: patient.id, app, patient, here: here.value, actions })),
+      !found.length && h("p", { class: "card quiet" }, none),
     );
   };
-  const showForm = () => {
-    form.hidden = false;
-    put(form, newPatientForm(app, { onAdded: (patient) => open(patient), onClose: () => (form.hidden = true) }));
-    form.querySelector("input")?.focus();
-  };
-  const archive = isOwner ? archiveImport(app, read, signal) : null;
-  search.addEventListener("input", showList);
-  app.addEventListener("session", () => app.session?.patient?.id !== shownHere && showList(), { signal });
-  app.live.addEventListener("changed", follow, { signal });
-  showList();
-  put(
+  const newButton = () =>
+    h(
+      "button",
+      { type: "button", class: "btn", onClick: () => (opened.value = {}) },
+      h(Icon, { name: "plus", size: 20 }),
+      t("patients-new"),
+    );
+  const archive = isOwner ? archiveImport(app, read, left) : null;
+  const search = t("patients-search");
+
+  app.addEventListener(
+    "session",
+    () => {
+      const now = app.session?.patient?.id ?? null;
+      if (now !== here.value) changedAt = performance.now();
+      here.value = now;
+    },
+    { signal: left },
+  );
+  app.live.addEventListener("changed", ({ detail }) => void (NEWS.has(detail) && read().catch(() => null)), {
+    signal: left,
+  });
+  drawPage(
     root,
     h(
-      "div",
-      { class: "body" },
-      h("h1", { tabindex: "-1" }, t("patients-title")),
+      Fragment,
+      {},
+      h("h1", { tabindex: -1 }, t("patients-title")),
       h("p", { class: "lead" }, t("patients-lead")),
       h(
         "div",
         { class: "spread above-list" },
-        h("div", { class: "grow" }, search),
-        mayChange(app) &&
-          h("button", { type: "button", class: "btn", onclick: showForm }, icon("plus", 20), t("patients-new")),
-        archive?.button,
+        h(
+          "div",
+          { class: "grow" },
+          h("input", {
+            type: "search",
+            "aria-label": search,
+            placeholder: search,
+            onInput: ({ currentTarget }) => (searched.value = currentTarget.value),
+          }),
+        ),
+        mayChange(app) && newButton(),
+        archive && h(archive.ImportButton, {}),
       ),
-      archive?.course,
-      form,
-      list,
+      archive && h(archive.ImportCourse, {}),
+      h(Opened, {}),
+      h(List, {}),
       people?.length === 1 && invitation(),
     ),
   );
@@ -182,79 +197,85 @@ async function agreedEnd(app, patient) {
 /** A reviewer looks, and changes nothing. @param {App} app */
 const mayChange = (app) => app.me?.role !== "reviewer";
 
-/** The patient's report, made when it is opened: a list has many patients. @param {App} app @param {PatientView} patient */
-function report(app, patient) {
-  if (!mayExport(app) || !patient.sessions) return null;
-  const place = h("div", {});
-  const summary = h("summary", {}, t("report-title"));
-  const details = h("details", { class: "report" }, summary, place);
-  details.addEventListener("toggle", () => place.childElementCount || put(place, reportChoice(app, patient)));
-  return details;
+/** The patient's report, made when it is opened: a list has many patients. @param {{app: App, patient: PatientView}} report */
+function Report({ app, patient }) {
+  const wasOpened = useSignal(false);
+  return h(
+    "details",
+    { class: "report", onToggle: () => (wasOpened.value = true) },
+    h("summary", {}, t("report-title")),
+    h("div", {}, wasOpened.value && h(ReportChoice, { app, patient })),
+  );
 }
 
 /**
- * @param {App} app @param {PatientView} patient
- * @param {{open: (patient: PatientView, button: HTMLButtonElement) => void, remove: (patient: PatientView) => void,
- *   end: () => void, goOn: () => void}} actions
+ * @param {object} row
+ * @param {App} row.app @param {PatientView} row.patient @param {number | null} row.here id of the patient who is here
+ * @param {{open: (patient: PatientView) => Promise<void>, remove: (patient: PatientView) => void, end: () => void,
+ *   goOn: () => void}} row.actions
  */
-function row(app, patient, { open, remove, end, goOn }) {
-  const isHere = app.session?.patient?.id === patient.id;
+function Row({ app, patient, here, actions: { open, remove, end, goOn } }) {
+  const isOpening = useSignal(false); // opening a session takes a moment: a second tap shall do nothing
+  const { id, code, pseudonym, note } = patient;
+  const isHere = here === id;
   const figures = [
     t("patients-sessions", { count: patient.sessions }),
     t("patients-trials", { count: patient.trials }),
     patient.last_seen ? t("patients-last", { day: day(patient.last_seen) }) : t("patients-never"),
   ].join(" · ");
+  const start = async () => {
+    isOpening.value = true;
+    await open(patient).finally(() => (isOpening.value = false));
+  };
+  // Keys: no button becomes another one under a finger, or with the focus on it.
   const changes = () =>
     isHere
       ? [
-          h("button", { type: "button", class: "btn", onclick: end }, t("patients-end")),
-          h("button", { type: "button", class: "btn go", onclick: goOn }, t("patients-go-on")),
+          h("button", { key: "end", type: "button", class: "btn", onClick: end }, t("patients-end")),
+          h("button", { key: "go", type: "button", class: "btn go", onClick: goOn }, t("patients-go-on")),
         ]
       : [
           h(
             "button",
             {
+              key: "delete",
               type: "button",
               class: "icon-button",
-              "aria-label": t("patients-delete", { code: patient.code }),
-              onclick: () => remove(patient),
+              "aria-label": t("patients-delete", { code }),
+              onClick: () => remove(patient),
             },
-            icon("bin", 22),
+            h(Icon, { name: "bin", size: 22 }),
           ),
           h(
             "button",
             {
+              key: "start",
               type: "button",
-              class: `btn${app.session?.patient ? "" : " go"}`,
-              onclick: ({ currentTarget }) => open(patient, /** @type {HTMLButtonElement} */ (currentTarget)),
+              class: `btn${here === null ? " go" : ""}`,
+              disabled: isOpening.value,
+              onClick: start,
             },
             t("patients-start"),
           ),
         ];
   return h(
     "div",
-    { class: `person card${isHere ? " here" : ""}` },
-    h("span", { class: "badge", "aria-hidden": "true" }, patient.pseudonym.slice(0, 1).toUpperCase()),
+    { class: `person card${isHere ? " here" : ""}`, role: "listitem" },
+    h("span", { class: "badge", "aria-hidden": "true" }, pseudonym.slice(0, 1).toUpperCase()),
     h(
       "div",
       { class: "grow" },
-      h("b", {}, patient.code),
-      " ",
-      patient.pseudonym,
-      " ",
+      h("b", {}, code),
+      ` ${pseudonym} `,
       isHere && h("span", { class: "tag" }, t("patients-here")),
-      h("div", { class: "quiet small" }, figures, patient.note && ` · ${patient.note}`),
+      h("div", { class: "quiet small" }, figures, note && ` · ${note}`),
       h(
         "a",
-        {
-          class: "row-link",
-          href: `#/session/patient/${patient.id}`,
-          "aria-label": t("record-link-label", { code: patient.code }),
-        },
+        { class: "row-link", href: `#/session/patient/${id}`, "aria-label": t("record-link-label", { code }) },
         t("record-link"),
       ),
-      report(app, patient),
+      mayExport(app) && patient.sessions > 0 && h(Report, { app, patient }),
     ),
-    mayChange(app) ? changes() : h("a", { class: "btn go", href: `#/review/${patient.id}` }, t("rail-review")),
+    mayChange(app) ? changes() : h("a", { class: "btn go", href: `#/review/${id}` }, t("rail-review")),
   );
 }

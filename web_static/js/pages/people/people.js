@@ -3,114 +3,114 @@
  * @import { LinkView, PatientView, PersonView } from "types/api"
  */
 import { ApiError, FORBIDDEN } from "../../api.js";
+import { drawPage, Fragment, h, signal, useOpening } from "../../preact.js";
 import { t } from "../../texts.js";
-import { h, put } from "../../widgets/dom.js";
 import { moment } from "../../widgets/format.js";
-import { icon } from "../../widgets/icons.js";
-import { linkCard } from "./link_card.js";
-import { rowList } from "../../widgets/list.js";
-import { rightsForm } from "./rights_form.js";
+import { Icon } from "../../widgets/icons.js";
+import { LinkCard } from "./link_card.js";
+import { RightsForm } from "./rights_form.js";
 
 const LOOK_EVERY = 10_000; // ms
 
 /** @param {import("../../main.js").App} app @param {HTMLElement} root @param {{signal: AbortSignal, rest: string[]}} page */
-export async function show(app, root, { signal, rest }) {
+export async function show(app, root, { signal: left, rest }) {
   if (app.me?.role !== "owner") throw new ApiError(t("people-owner"), FORBIDDEN);
-  let [people, patients] = await Promise.all([app.api.get("/people"), app.api.get("/patients")]);
-  if (signal.aborted) return;
-  const list = rowList("people");
-  const above = h("div", {});
-
-  const read = async () => {
-    const found = await Promise.all([app.api.get("/people"), app.api.get("/patients")]);
-    if (signal.aborted || JSON.stringify(found) === JSON.stringify([people, patients])) return;
-    [people, patients] = found;
-    draw();
-  };
-  const close = () =>
-    put(
-      above,
-      h("button", { type: "button", class: "btn go", onclick: openForm }, icon("plus", 20), t("people-invite")),
-    );
+  const ask = () => Promise.all([app.api.get("/people"), app.api.get("/patients")]);
+  const lists = signal(await ask());
+  if (left.aborted) return;
+  // What is open above the list: a link, or the form for the rights of one person; null is somebody new.
+  const opened = signal(/** @type {{link: LinkView} | {person: PersonView | null} | null} */ (null));
+  const read = async () => void (lists.value = await ask());
+  const close = () => void (opened.value = null);
+  const invite = () => void (opened.value = { person: null });
   /** @param {LinkView} link */
   const showLink = async (link) => {
-    put(above, linkCard(app, link, close));
-    above.querySelector("h2")?.focus();
-    above.scrollIntoView({ block: "nearest" });
+    opened.value = { link };
     await read();
-  };
-  const openForm = () => {
-    put(
-      above,
-      rightsForm(patients, null, {
-        send: async (rights) => showLink(await app.api.post("/people", rights)),
-        onClose: close,
-      }),
-    );
-    above.querySelector("input")?.focus();
-  };
-  /** @param {PersonView} person */
-  const change = (person) => {
-    /** @param {{role: PersonView["role"], patients: number[] | null}} rights */
-    const send = async ({ role, patients: shown }) => {
-      await app.api.put(`/people/${person.id}`, { role, patients: shown });
-      close();
-      await read();
-    };
-    put(above, rightsForm(patients, people.find(({ id }) => id === person.id) ?? person, { send, onClose: close }));
-    above.scrollIntoView({ block: "nearest" });
-    above.querySelector("input")?.focus();
   };
   /** @param {() => Promise<unknown>} act */
   const attempt = (act) => app.toasts.attempt(async () => (await act(), await read()));
+  /** @type {Actions} */
   const actions = {
-    change,
-    /** @param {PersonView} person */
+    change: (person) => void (opened.value = { person }),
     link: (person) => app.toasts.attempt(async () => showLink(await app.api.post(`/people/${person.id}/link`))),
-    /** @param {PersonView} person */
     disable: (person) => attempt(() => app.api.post(`/people/${person.id}/disable`)),
-    /** @param {PersonView} person */
     enable: (person) => attempt(() => app.api.post(`/people/${person.id}/enable`)),
   };
-  const draw = () => list.show(people.map((person) => row(person, patients, actions)));
-  draw();
-  close();
-  const timer = setInterval(() => read().catch(() => null), LOOK_EVERY); // others accept invitations meanwhile
-  signal.addEventListener("abort", () => clearInterval(timer));
-  put(
+
+  const Above = () => {
+    const now = opened.value;
+    const place = useOpening(now, "h2[tabindex], input");
+    return h("div", { ref: place }, now ? opening(now) : button());
+  };
+  const button = () =>
+    h(
+      "button",
+      { type: "button", class: "btn go", onClick: invite },
+      h(Icon, { name: "plus", size: 20 }),
+      t("people-invite"),
+    );
+  /** @param {NonNullable<typeof opened.value>} now */
+  const opening = (now) => {
+    if ("link" in now) return h(LinkCard, { app, link: now.link, onDone: close });
+    const { person } = now;
+    return h(RightsForm, {
+      key: person?.id ?? "new",
+      patients: lists.value[1],
+      person,
+      send: async ({ name, role, patients }) => {
+        if (!person) return showLink(await app.api.post("/people", { name, role, patients }));
+        await app.api.put(`/people/${person.id}`, { role, patients });
+        close();
+        await read();
+      },
+      onClose: close,
+    });
+  };
+  const List = () => {
+    const [people, patients] = lists.value;
+    return h(
+      "div",
+      { class: "people", role: "list" },
+      people.map((person) => h(Row, { key: person.id, person, patients, actions })),
+    );
+  };
+
+  drawPage(
     root,
     h(
-      "div",
-      { class: "body" },
-      h("h1", { tabindex: "-1" }, t("rail-people")),
+      Fragment,
+      {},
+      h("h1", { tabindex: -1 }, t("rail-people")),
       h("p", { class: "lead" }, t("people-lead")),
-      h("div", { class: "above-list" }, above),
-      list,
+      h("div", { class: "above-list" }, h(Above, {})),
+      h(List, {}),
       h("p", { class: "after-list" }, h("a", { class: "btn small", href: "#/settings" }, t("people-back"))),
     ),
   );
-  if (rest[0] === "invite") openForm();
+  const timer = setInterval(() => read().catch(() => null), LOOK_EVERY); // others accept invitations meanwhile
+  left.addEventListener("abort", () => clearInterval(timer));
+  if (rest[0] === "invite") invite();
 }
 
-/**
- * @param {PersonView} person @param {PatientView[]} patients
- * @param {Record<"change" | "link" | "disable" | "enable", (person: PersonView) => void>} actions
- */
-function row(person, patients, actions) {
-  /** @param {"change" | "link" | "disable" | "enable"} what */
+/** @typedef {Record<"change" | "link" | "disable" | "enable", (person: PersonView) => unknown>} Actions */
+
+/** @param {{person: PersonView, patients: PatientView[], actions: Actions}} row */
+function Row({ person, patients, actions }) {
+  /** @param {keyof Actions} what */
   const button = (what) => {
     const key = what === "link" && person.state === "invited" ? "people-link-again" : `people-${what}`;
     const label = t(`${key}-label`, { name: person.name });
     return h(
       "button",
-      { type: "button", class: "btn small", "aria-label": label, onclick: () => actions[what](person) },
+      { type: "button", class: "btn small", "aria-label": label, onClick: () => actions[what](person) },
       t(key),
     );
   };
   const isDisabled = person.state === "disabled";
   return h(
     "div",
-    { class: `card person member ${person.state}` },
+    { class: `card person member ${person.state}`, role: "listitem" },
     h(
       "div",
       { class: "grow" },

@@ -4,86 +4,98 @@
  */
 import { textLimits } from "../../reference.js";
 import { failureWords } from "../../api.js";
+import { h, useSignal } from "../../preact.js";
 import { t } from "../../texts.js";
-import { h } from "../../widgets/dom.js";
-import { field, segments } from "../../widgets/fields.js";
+import { Field, Segments } from "../../widgets/fields.js";
 
 /** @typedef {PersonView["role"]} Role */
+/** @typedef {typeof SHOWN[number]} Shown */
 const ROLES = /** @type {const} */ (["clinician", "reviewer", "owner"]);
+const SHOWN = /** @type {const} */ (["all", "chosen"]);
 
 /**
- * @param {PatientView[]} patients
- * @param {PersonView | null} person whose rights are changed; null: somebody new
- * @param {{send: (rights: {name: string, role: Role, patients: number[] | null}) => Promise<void>, onClose: () => void}} then
+ * @param {object} form
+ * @param {PatientView[]} form.patients
+ * @param {PersonView | null} form.person whose rights are changed; null: somebody new
+ * @param {(rights: {name: string, role: Role, patients: number[] | null}) => Promise<void>} form.send
+ * @param {() => void} form.onClose
  */
-export function rightsForm(patients, person, { send, onClose }) {
-  const name = h("input", { type: "text", required: true, ...textLimits("NewPerson", "name"), autocomplete: "off" });
-  /** @type {Role} */
-  let role = person?.role ?? "clinician";
-  /** @type {"all" | "chosen"} */
-  let shownAre = person?.patients ? "chosen" : "all";
-  const boxes = patients.map(({ id, code, pseudonym }) => {
-    const box = h("input", { type: "checkbox", value: id, checked: person?.patients?.includes(id) ?? false });
-    return { id, box, row: h("label", { class: "switch" }, box, h("span", {}, `${code} · ${pseudonym}`)) };
-  });
-  const about = h("p", { class: "quiet small", role: "status" });
-  const chosen = h(
-    "div",
-    { class: "shown-patients", role: "group", "aria-label": t("people-patients-chosen") },
-    boxes.map(({ row }) => row),
-    !boxes.length && h("p", { class: "quiet" }, t("people-patients-none")),
-  );
-  const which = segments(
-    t("people-patients"),
-    [
-      { value: "all", label: t("people-patients-all") },
-      { value: "chosen", label: t("people-patients-chosen") },
-    ],
-    shownAre,
-    (value) => {
-      shownAre = value;
-      draw();
-    },
-  );
-  const draw = () => {
-    which.hidden = role !== "reviewer";
-    chosen.hidden = role !== "reviewer" || shownAre === "all";
-    about.textContent = t(`people-role-${role}-about`);
-  };
-  const roles = segments(
-    t("people-role"),
-    ROLES.map((value) => ({ value, label: t(`people-role-${value}`) })),
-    role,
-    (value) => {
-      role = value;
-      draw();
-    },
-  );
-  const problem = h("p", { class: "problem", role: "alert" });
-  const go = h("button", { class: "btn go" }, t(person ? "people-rights-go" : "people-invite-go"));
+export function RightsForm({ patients, person, send, onClose }) {
+  const role = useSignal(/** @type {Role} */ (person?.role ?? "clinician"));
+  const shown = useSignal(/** @type {Shown} */ (person?.patients ? "chosen" : "all"));
+  const problem = useSignal("");
+  const isSending = useSignal(false); // a second tap would invite twice
+  const isReviewer = role.value === "reviewer";
+  const isRestricted = isReviewer && shown.value === "chosen";
   /** @param {SubmitEvent} event */
   const submit = async (event) => {
     event.preventDefault();
-    problem.textContent = "";
-    go.disabled = true; // a second tap would invite twice
-    const shown = boxes.filter(({ box }) => box.checked).map(({ id }) => id);
-    const restricted = role === "reviewer" && shownAre === "chosen";
-    await send({ name: name.value.trim(), role, patients: restricted ? shown : null }).catch(
-      (error) => (problem.textContent = failureWords(error)),
+    const entries = new FormData(/** @type {HTMLFormElement} */ (event.currentTarget));
+    const name = String(entries.get("name") ?? "").trim();
+    problem.value = "";
+    isSending.value = true;
+    await send({ name, role: role.value, patients: isRestricted ? entries.getAll("patient").map(Number) : null }).catch(
+      (error) => (problem.value = failureWords(error)),
     );
-    go.disabled = false;
+    isSending.value = false;
   };
-  draw();
   return h(
     "form",
-    { class: "card stack", onsubmit: submit },
+    { class: "card stack", onSubmit: submit },
     h("h2", {}, person ? t("people-rights-title", { name: person.name }) : t("people-invite")),
-    !person && field(t("sign-in-name"), name, t("people-name-hint")),
-    roles,
-    about,
-    which,
-    chosen,
-    problem,
-    h("div", { class: "spread" }, go, h("button", { type: "button", class: "btn", onclick: onClose }, t("cancel"))),
+    !person &&
+      h(
+        Field,
+        {
+          label: t("sign-in-name"),
+          hint: t("people-name-hint"),
+        },
+        h("input", {
+          type: "text",
+          name: "name",
+          required: true,
+          ...textLimits("NewPerson", "name"),
+          autocomplete: "off",
+        }),
+      ),
+    h(Segments, {
+      label: t("people-role"),
+      options: ROLES.map((value) => ({ value, label: t(`people-role-${value}`) })),
+      chosen: role.value,
+      onChange: (/** @type {Role} */ value) => (role.value = value),
+    }),
+    h("p", { class: "quiet small", role: "status" }, t(`people-role-${role}-about`)),
+    h(Segments, {
+      label: t("people-patients"),
+      options: SHOWN.map((value) => ({ value, label: t(`people-patients-${value}`) })),
+      chosen: shown.value,
+      hidden: !isReviewer,
+      onChange: (/** @type {Shown} */ value) => (shown.value = value),
+    }),
+    h(
+      "div",
+      { class: "shown-patients", role: "group", "aria-label": t("people-patients-chosen"), hidden: !isRestricted },
+      patients.map(({ id, code, pseudonym }) =>
+        h(
+          "label",
+          { class: "switch", key: id },
+          h("input", {
+            type: "checkbox",
+            name: "patient",
+            value: id,
+            defaultChecked: person?.patients?.includes(id),
+          }),
+          h("span", {}, `${code} · ${pseudonym}`),
+        ),
+      ),
+      !patients.length && h("p", { class: "quiet" }, t("people-patients-none")),
+    ),
+    h("p", { class: "problem", role: "alert" }, problem.value),
+    h(
+      "div",
+      { class: "spread" },
+      h("button", { class: "btn go", disabled: isSending.value }, t(person ? "people-rights-go" : "people-invite-go")),
+      h("button", { type: "button", class: "btn", onClick: onClose }, t("cancel")),
+    ),
   );
 }
