@@ -33,7 +33,9 @@
   for (const toast of document.querySelectorAll(".toast"))
     if (toast.getBoundingClientRect().top < top) lost.push("a message under the header");
   const corner = stop?.getBoundingClientRect();
-  if (corner && (corner.top > 1 || corner.right < innerWidth - 1)) lost.push("Stop is not in its corner");
+  const isMirrored = getComputedStyle(document.documentElement).direction === "rtl";
+  const beside = corner && (isMirrored ? corner.left : innerWidth - corner.right);
+  if (corner && (corner.top > 1 || beside > 1)) lost.push("Stop is not in its corner");
   if (head && head.scrollHeight > head.clientHeight + 1) lost.push("the header stands over the page");
   return lost;
 }

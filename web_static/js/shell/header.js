@@ -109,6 +109,11 @@ export function header(app) {
   showMe();
   showShirt();
   showChair();
+  // Long words make the header higher: what stands below it follows.
+  const below = new ResizeObserver(() =>
+    document.documentElement.style.setProperty("--head", `${element.offsetHeight}px`),
+  );
+  below.observe(element);
   return element;
 }
 
