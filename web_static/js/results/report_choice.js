@@ -30,7 +30,7 @@ export function ReportChoice({ app, patient, session }) {
   const { id, code } = patient;
   const chosen = useSignal(session ? String(session) : ALL);
   const paper = useSignal(localStorage.getItem(PAPER_PLACE) === "letter" ? "letter" : "a4");
-  const reader = useSignal(/** @type {(typeof READERS)[number]} */ ("others"));
+  const reader = useSignal(/** @type {string} */ ("others"));
   const language = useSignal(/** @type {string} */ (LANGUAGE));
   const consents = useSignal(/** @type {ConsentsView["consents"] | null} */ (null));
   useLayoutEffect(() => {
@@ -49,9 +49,7 @@ export function ReportChoice({ app, patient, session }) {
   const readers = h(Selection, {
     options: READERS.map((value) => ({ value, label: t(`report-reader-${value}`) })),
     chosen: reader.value,
-    onChange: (value) => {
-      reader.value = value;
-    },
+    onChange: (value) => (reader.value = value),
   });
   const papers = h(Selection, {
     options: ["a4", "letter"].map((value) => ({ value, label: t(`report-paper-${value}`) })),
