@@ -114,7 +114,10 @@ def test_what_is_open_and_typed_stays_when_another_screen_changes_the_equipment(
     port = source.get_by_label("Port")
     port.fill("5999")
     field = port.element_handle()
-    for config, words in (({"kind": "simulator", "seed": 1}, "Simulated head."), (None, "None: the view looks straight ahead.")):
+    for config, words in (
+        ({"kind": "simulator", "seed": 1}, "Simulated head."),
+        (None, "None: the view looks straight ahead."),
+    ):
         served.good("PUT", "/equipment/head", {"config": config})
         expect(head).to_contain_text(words)
         expect(port).to_be_focused()

@@ -47,7 +47,7 @@ export function ReportChoice({ app, patient, session }) {
     onChange: (value) => (chosen.value = value),
   });
   const readers = h(Selection, {
-    options: READERS.map((value) => ({ value, label: t(`report-reader-${value}`) })),
+    options: READERS.map((value) => ({ value: String(value), label: t(`report-reader-${value}`) })),
     chosen: reader.value,
     onChange: (value) => (reader.value = value),
   });
