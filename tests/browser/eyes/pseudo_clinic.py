@@ -38,9 +38,9 @@ VALUES = (
     # what the browser writes by itself, which does not know this language: lists and months
     *(" and ", " or ", *calendar.month_abbr[1:]),
 )
+ADDRESS = re.compile(r"https?://\S+")
 CODES = re.compile(
-    r"https?://\S+"  # an address
-    r"|\b[\w-]+\.(?:csv|json|zip|key|crt|html|glb|parquet)\b"  # a file
+    r"\b[\w-]+\.(?:csv|json|zip|key|crt|html|glb|parquet)\b"  # a file
     r"|\b(?=\w*\d)[0-9a-f]{8,}\b|\b[A-Z0-9]{4} [A-Z0-9]{4}\b"  # a fingerprint, a code
     r"|\b(?:bodydrive|certutil|umask|cat) .*"  # a command that is typed
 )
@@ -114,7 +114,7 @@ def english_words(page: Any, clinic: PseudoClinic) -> dict[str, list[str]]:
     no_messages = sorted({*VALUES, *plan_words(), *clinic.sayings()} - {""}, key=len, reverse=True)
     found = {}
     for text in page.evaluate(TEXTS):
-        rest = text
+        rest = ADDRESS.sub(" ", text)
         for value in no_messages:
             rest = re.sub(rf"(?<![A-Za-z]){re.escape(value)}(?![A-Za-z])", " ", rest)
         rest = CODES.sub(" ", rest)
