@@ -114,7 +114,7 @@ def test_a_release_is_a_sum_over_eight(folder):
     assert not (folder / "no.json").exists()
     assert add(folder, "w1", "p1", "seven.json").exit_code == 0
     words = refusal(invoke("prior", "merge", folder / "seven.json", "--out", folder / "no.json"))
-    assert "at least 8 may leave a clinic" in words
+    assert "at least 8 people may leave a clinic" in words
     assert not (folder / "no.json").exists()
     own = invoke("prior", "merge", folder / "seven.json", folder / "prior.json", "--own", "--out", folder / "own.json")
     assert own.exit_code == 0, own.output

@@ -83,7 +83,7 @@ def test_words_of_a_measure_follow_from_its_name() -> None:
     plain = CIRCUMSTANCES["path_length"]
     assert (str(plain.as_subject), str(plain.defined_as)) == ("Length of the path", "Length of the path")
     named = TRIAL_MEASURES["stops"]
-    assert (str(named.as_subject), str(named.defined_as)) == ("the number of stops", "Number of stops")
+    assert (str(named.as_subject), str(named.defined_as)) == ("the number of standstills", "Number of standstills")
 
 
 def test_levels_are_written_in_their_unit() -> None:

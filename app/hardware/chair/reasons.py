@@ -24,7 +24,7 @@ DESCRIPTIONS = {
     Reason.STOP_COMMAND: "The chair received a stop.",
     Reason.WITHDRAWN: "The sender withdrew its permission to drive.",
     Reason.STOP_INPUT: "The chair was stopped by its own switch.",
-    Reason.NOT_NEUTRAL: "The chair was not commanded to stand for half a second after it was armed.",
+    Reason.NOT_NEUTRAL: "After it was armed, the chair was not commanded to stand for the half second that it needs.",
     Reason.LATE: "The chair's own computer stood still for too long.",
     Reason.OUTPUT: "The chair's electronics accepted no commands.",
     Reason.ENDING: "The chair's receiver was ended.",

@@ -76,7 +76,7 @@ def test_a_release_holds_no_person(ten):
 
 
 def test_fewer_than_eight_are_not_released(ten):
-    with pytest.raises(PriorError, match="7 people, and only sums over at least 8"):
+    with pytest.raises(PriorError, match="7 people in all, and only sums over at least 8"):
         release([part(ten, 1, 2, 3), part(ten, 4, 5, 6, 7)])
 
 

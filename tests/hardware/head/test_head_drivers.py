@@ -170,7 +170,7 @@ def recorded(tmp_path, content, **changes):
     ("content", "words"),
     [
         ("t,yaw_deg\n0,1\n5,2\n", "pitch_deg"),
-        ("t,yaw_deg,pitch_deg,roll_deg\n0,1,1,1\n1,1,1,1\n", "needs 2 s"),
+        ("t,yaw_deg,pitch_deg,roll_deg\n0,1,1,1\n1,1,1,1\n", "needs at least 2 s"),
         ("t,yaw_deg,pitch_deg,roll_deg\n0,1,1,1\n3,x,1,1\n", "head.csv"),
         ("t,yaw_deg,pitch_deg,roll_deg\n5,1,1,1\n3,1,1,1\n", "times that grow"),
     ],
