@@ -10,8 +10,6 @@ import resource
 import sys
 from collections.abc import Callable
 
-from app.texts import Text
-
 LOOP_PRIORITY = 10  # of SCHED_FIFO: above every ordinary program, below the kernel's own threads
 RECORDER_PRIORITY = 5  # below the loop, above programs that could preempt the recorder while it holds the interpreter
 LOWEST_NICENESS = 19
@@ -26,10 +24,11 @@ MCL_CURRENT, MCL_FUTURE, MCL_ONFAULT = 1, 2, 4
 LOCK = MCL_CURRENT | MCL_FUTURE | MCL_ONFAULT  # lock pages when they are first used, not when they are reserved
 
 
-def go_real_time() -> list[Text]:
+def go_real_time() -> list[str]:
     """Request real-time scheduling for this thread, lock the memory, freeze the garbage collector.
 
-    Returns one sentence on each request: granted or not. The program goes on without what is not granted.
+    Returns the id of a message (app/texts.py) on each request: granted or not. The receiver of a chair, which runs with
+    the standard library alone, uses this module, so that it makes no text. The program goes on without what is not granted.
     """
     sys.setswitchinterval(SWITCH_INTERVAL)
     sentences = [_take_loop_priority(), _lock_memory()]
@@ -103,14 +102,14 @@ def take_lowest_priority() -> None:
         ctypes.CDLL(None, use_errno=True).syscall(number, 1, 0, IDLE_DISK_CLASS)  # 1: a process, 0: this one
 
 
-def _take_loop_priority() -> Text:
+def _take_loop_priority() -> str:
     if take_priority(LOOP_PRIORITY):
-        return Text("realtime-granted")
-    return Text("realtime-refused")
+        return "realtime-granted"
+    return "realtime-refused"
 
 
-def _lock_memory() -> Text:
-    refused = Text("realtime-memory-refused")
+def _lock_memory() -> str:
+    refused = "realtime-memory-refused"
     if sys.platform != "linux":
         return refused
     limit, _ = resource.getrlimit(resource.RLIMIT_MEMLOCK)
@@ -118,4 +117,4 @@ def _lock_memory() -> Text:
         return refused  # with a limit, allocations beyond it would fail later
     if ctypes.CDLL(None, use_errno=True).mlockall(LOCK) != 0:
         return refused
-    return Text("realtime-memory-locked")
+    return "realtime-memory-locked"

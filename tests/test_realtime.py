@@ -15,7 +15,7 @@ import app.realtime
 if "refused" in sys.argv:
     resource.setrlimit(resource.RLIMIT_MEMLOCK, (0, 0))
     os.setuid(65534)
-texts = [text.id for text in app.realtime.go_real_time()]
+texts = app.realtime.go_real_time()
 policies = {}
 def note(name):
     policies[name] = os.sched_getscheduler(0) & ~os.SCHED_RESET_ON_FORK

@@ -16,6 +16,7 @@ from app.pipeline.setup import Setup
 from app.process.command_channel import CommandServer
 from app.process.ring import TickRing
 from app.realtime import go_real_time
+from app.texts import Text
 
 POLL_EVERY = 0.004  # s between two polls of the control link
 LAST_TURNS = 0.5  # s: longest time for the last stop; the gate's STOP_TIME is shorter
@@ -40,7 +41,7 @@ def main(arguments: list[str] | None = None) -> int:
         server = CommandServer(control_link)
         setup = Setup(clock)
         loop = ControlLoop(setup, ring, report, clock)
-        commands = Commands(loop, server, go_real_time(), clock)
+        commands = Commands(loop, server, [Text(message) for message in go_real_time()], clock)
         signal.signal(signal.SIGINT, signal.SIG_IGN)  # Ctrl-C is for the web process
         signal.signal(signal.SIGTERM, lambda *_: setattr(commands, "quit", True))
         _run_until_quit(loop, commands, server, clock)

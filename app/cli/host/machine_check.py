@@ -49,7 +49,7 @@ def _findings(seconds: int, folder: Path, own_ports: list[int]) -> list["Finding
     from app.pipeline.compiled import IS_COMPILED
     from app.realtime import go_real_time
 
-    real_time = measured.real_time_findings(go_real_time())
+    real_time = measured.real_time_findings([Text(message) for message in go_real_time()])
     installed = datetime.fromtimestamp(measured.install_time(), UTC)
     return [
         measured.lateness_finding(measured.measure_lateness(MonotonicClock(), seconds)),

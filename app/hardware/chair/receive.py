@@ -36,6 +36,14 @@ ENDING_LIMIT = 0.5  # s for the ramp to standstill at the end
 PROBE_STEPS = 50  # number of steps whose lateness is measured at the start
 PROBE_LIMIT = 0.01  # s of lateness, with which the limit of 100 ms becomes 110 ms
 
+# What `go_real_time` was granted; the catalogue has the same sentences.
+REAL_TIME = {
+    "realtime-granted": "The control loop has real-time scheduling.",
+    "realtime-refused": "Real-time scheduling was not granted: close other programs while driving.",
+    "realtime-memory-refused": "Memory is not kept in RAM: a machine short of memory may delay the control loop.",
+    "realtime-memory-locked": "The control loop's memory is kept in RAM.",
+}
+
 
 class ReceiverLoop:
     """Turns in steps until `ending`; checks the time limits every 10 ms, whatever comes in.
@@ -168,7 +176,7 @@ def main(arguments: Sequence[str] | None = None, program: str = "python -m app.h
     for sentence in (
         f"listening on {place}",
         f"At most {given.v_max:g} m/s and {given.omega_max:g} rad/s, output {given.output}.",
-        *go_real_time(),
+        *(REAL_TIME[message] for message in go_real_time()),
         *slowness(clock),
     ):
         _complain(str(sentence))
