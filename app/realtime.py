@@ -28,7 +28,8 @@ def go_real_time() -> list[str]:
     """Request real-time scheduling for this thread, lock the memory, freeze the garbage collector.
 
     Returns the id of a message (app/texts.py) on each request: granted or not. The receiver of a chair, which runs with
-    the standard library alone, uses this module, so that it makes no text. The program goes on without what is not granted.
+    the standard library alone, uses this module, so that it makes no text. The program goes on without what is not
+    granted.
     """
     sys.setswitchinterval(SWITCH_INTERVAL)
     sentences = [_take_loop_priority(), _lock_memory()]
