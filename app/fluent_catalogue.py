@@ -17,9 +17,9 @@ from babel.numbers import get_decimal_symbol
 from fluent.runtime import FluentBundle, FluentResource, resolver
 from fluent.runtime.types import FluentType, fluent_number
 
+from app.number_format import with_minus
 from app.settings import static_folder
 
-MINUS: Final = "\u2212"
 DIGITS: Final = 350  # of the largest number with its decimals: Babel refuses to round a longer one
 LOCALES: Final = {"en": "en_GB"}  # for dates and lists, where it is not the language: "a, b and c"
 DAYS: Final = {"en": "yyyy-MM-dd"}  # how a day is written, where it is not the usual way of the language
@@ -49,7 +49,7 @@ def number(value: float) -> Any:
 def figure(language: str, value: float, digits: int) -> str:
     """Return a number with a fixed count of decimals, and the sign for minus."""
     written = f"{round(value, digits) + 0.0:.{digits}f}"  # + 0.0: never -0
-    return written.replace("-", MINUS).replace(".", get_decimal_symbol(_locale(language)))
+    return with_minus(written).replace(".", get_decimal_symbol(_locale(language)))
 
 
 def written(language: str, value: Any) -> str:

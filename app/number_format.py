@@ -16,8 +16,3 @@ def signed_percent(share: float) -> str:
 def with_minus(figure: str) -> str:
     """Return a figure with the sign for minus in place of a hyphen."""
     return figure.replace("-", MINUS)
-
-
-def amount(count: int, singular: str, plural: str = "") -> str:
-    """Return a count with its noun: 1 trial, 2 trials."""
-    return f"{count} {singular if count == 1 else plural or f'{singular}s'}"

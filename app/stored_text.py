@@ -8,6 +8,7 @@ from app.json_values import JsonDocument
 from app.quantities import Document, Finite
 from app.texts import Text, from_document, to_document
 
+ValueName = Annotated[str, Field(max_length=80, pattern=r"^[a-z][a-z0-9_]*$")]
 MessageId = Annotated[str, Field(max_length=80, pattern=r"^[a-z][a-z0-9]*(-[a-z0-9]+)*$")]
 
 
@@ -25,10 +26,10 @@ Item: TypeAlias = Union[Annotated[str, Field(max_length=2000)], Number, Finite, 
 class TextDocument(Document):
     """A text as `app.texts.to_document` writes it: the id of its message, and its values by name."""
 
-    model_config = ConfigDict(extra="allow", frozen=True, allow_inf_nan=False, strict=True)
-    __pydantic_extra__: dict[str, Item | list[Item]] = Field(init=False)
+    model_config = ConfigDict(strict=True)
 
     text: MessageId
+    values: dict[ValueName, Item | list[Item]]
 
 
 def _text(document: object) -> object:

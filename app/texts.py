@@ -105,15 +105,14 @@ def to_document(text: Text | str) -> Any:
     """Return a text as JSON that can be stored and is shown later in any language; a string is kept as it is."""
     if isinstance(text, str):
         return text
-    return {"text": text.id} | {name: _value_document(value) for name, value in text.values.items()}
+    return {"text": text.id, "values": {name: _value_document(value) for name, value in text.values.items()}}
 
 
 def from_document(document: Any) -> Text | str:
     """Return the text that `to_document` made JSON of."""
     if isinstance(document, str):
         return document
-    values = {name: _value_of(value) for name, value in document.items() if name != "text"}
-    return Text(document["text"], **values)
+    return Text(document["text"], **{name: _value_of(value) for name, value in document["values"].items()})
 
 
 def load_language(language: str = ENGLISH) -> None:

@@ -8,6 +8,9 @@ import sys
 
 import pytest
 
+from app.hardware.chair.receive import REAL_TIME
+from app.texts import Text
+
 CODE = """
 import gc, json, os, resource, sys, threading
 import app.realtime
@@ -82,3 +85,7 @@ def test_all_threads_share_two_areas_of_memory():
     ]
     assert beside_the_first[0] > 1
     assert beside_the_first[1] <= 1
+
+
+def test_the_receiver_of_a_chair_says_what_the_catalogue_says():
+    assert {message: str(Text(message)) for message in REAL_TIME} == REAL_TIME

@@ -109,7 +109,7 @@ def test_sentences_follow_one_another():
 
 @given(VALUES)
 def test_what_is_stored_is_the_same_text_afterwards(value):
-    text = Text("any", value=value)
+    text = Text("any", value=value, text="also the name of a value")
     assert from_document(to_document(text)) == text
     assert pickle.loads(pickle.dumps(text)) == text
 

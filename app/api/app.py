@@ -62,10 +62,11 @@ from app.settings import Settings, docs_folder, static_folder
 from app.store.database import Database
 from app.store.keeping.passed_time import store_clocks
 from app.store.log_chain import warn_of_changed_log
-from app.texts import load_language
+from app.texts import LANGUAGES, load_language
 from app.world.scene import bundled_places
 
 PREFIX = "/api/v1"
+FIRST_PAGE = 3.0  # s: until it is shown after a start, also on a slow machine
 ROUTES = (
     stop,  # a request is compared with them in this order, and nothing is as urgent
     start,
@@ -120,16 +121,17 @@ def create_app(
         database = await asyncio.to_thread(_opened, settings)
         parts = make_parts(app, settings, database, start_process, computing, open_scene)
         await start_parts(parts)
-        # The places are validated, and messages read, before the first page asks for them.
+        reading = asyncio.create_task(_read_languages())
+        # The places are validated before the first page asks for them.
         beside = [
-            asyncio.create_task(asyncio.to_thread(load_language)),
             asyncio.create_task(asyncio.to_thread(warn_of_changed_log, settings.database)),
             asyncio.create_task(asyncio.to_thread(bundled_places)),
         ]
         try:
             yield
         finally:
-            await asyncio.gather(*beside, return_exceptions=True)
+            reading.cancel()
+            await asyncio.gather(reading, *beside, return_exceptions=True)
             await end_parts(parts)
 
     app = FastAPI(
@@ -157,6 +159,16 @@ def create_app(
     app.add_middleware(BehindProxy, settings=settings)  # before all others, which see what the browser sent
     app.add_middleware(RequestLanguage)
     return app
+
+
+async def _read_languages() -> None:
+    """Read the messages, English at once and the others after the first page, long before somebody drives.
+
+    It takes 0.3 s for each language, in which every turn of the event loop, so also a Stop, may be some ms late.
+    """
+    for language in LANGUAGES:
+        await asyncio.to_thread(load_language, language)
+        await asyncio.sleep(FIRST_PAGE)
 
 
 def _opened(settings: Settings) -> Database:

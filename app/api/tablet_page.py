@@ -8,18 +8,16 @@ from typing import Final
 from urllib.parse import urlsplit
 
 from starlette.datastructures import Headers
-from starlette.requests import HTTPConnection
 from starlette.responses import JSONResponse, PlainTextResponse, Response
 from starlette.types import Receive, Scope, Send
 from starlette.websockets import WebSocketClose
 
 from app.api.pages import ASK_AGAIN, read_entry
-from app.api.request_language import language_of
 from app.clock import utc_now
 from app.host.authority_files import apple_profile, root_pem
 from app.network import NetworkService
 from app.settings import static_folder
-from app.texts import LANGUAGES, Text, current_language, reader_language
+from app.texts import LANGUAGES, Text, current_language
 
 PAGE: Final = "tablet.html"
 HEADERS: Final = {
@@ -47,8 +45,7 @@ class TabletPage:
         if scope["type"] == "websocket":
             await WebSocketClose()(scope, receive, send)
             return
-        with reader_language(language_of(HTTPConnection(scope))):
-            answer = self._answer(scope)
+        answer = self._answer(scope)
         answer.headers.update(HEADERS)
         await answer(scope, receive, send)
 

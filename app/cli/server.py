@@ -17,6 +17,7 @@ from app.api.app import WebApp, create_app, prepare_routes, say_goodbye
 from app.api.assembly import StartProcess
 from app.api.failed_start import KeepsFailure
 from app.api.nearby import parsed_address
+from app.api.request_language import RequestLanguage
 from app.api.tablet_page import TabletPage
 from app.api.view.view_keeper import ServedScene
 from app.cli.errors import InputError
@@ -97,7 +98,8 @@ class WebServer(uvicorn.Server):
             self._listening.listen(WAITING)
             if self._lan is not None:
                 await self._open(self.config, self._lan.https, self._lan.certificate.context)
-                await self._open(_config(TabletPage(self._lan.service), "off", self._connections), self._lan.page, None)
+                page = RequestLanguage(TabletPage(self._lan.service))
+                await self._open(_config(page, "off", self._connections), self._lan.page, None)
                 self._following = asyncio.create_task(self._follow(self._lan))
             typer.echo(self._message)
             prepare_routes(self._app)
@@ -153,7 +155,9 @@ class WebServer(uvicorn.Server):
             self.should_exit = True
 
 
-def _config(app: KeepsFailure | TabletPage, lifespan: Literal["on", "off"], connections: Connections) -> uvicorn.Config:
+def _config(
+    app: KeepsFailure | RequestLanguage, lifespan: Literal["on", "off"], connections: Connections
+) -> uvicorn.Config:
     return uvicorn.Config(
         app,
         http=limited(connections),

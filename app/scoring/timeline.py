@@ -22,6 +22,7 @@ from app.texts import Text
 from app.world.floorplan import FloorPlan
 from app.world.movers import Track
 from app.world.path import Path
+from app.world.place_texts import plan_for_reader
 
 MOST_POINTS = 2000
 CHANNELS_SHOWN = 4  # of a joint: those that weigh most in its map
@@ -150,7 +151,7 @@ def timeline_of(folder: FilePath, path_points: Sequence[Sequence[float]], end: s
         gestures=_gestures(run, decimation),
         joints=_joints(run, decimation),
         events=events_of(rows, t, end),
-        floorplan=plan,
+        floorplan=None if plan is None else plan_for_reader(plan),
         message=str(run.loss or ""),
     )
 

@@ -49,7 +49,7 @@ class Moment(TypeDecorator[datetime]):
         return None if value is None else value.replace(tzinfo=UTC)
 
 
-class StoredText(TypeDecorator[Text | str]):
+class TextColumn(TypeDecorator[Text | str]):
     """A text as MARK and its document in JSON, so that it is read in any language; a string is stored as it is."""
 
     impl = String
@@ -168,7 +168,7 @@ class CalibrationStep(Table):
     session_id: Mapped[int] = mapped_column(ForeignKey("session.id"), primary_key=True)
     step: Mapped[str] = mapped_column(String(64), primary_key=True)
     status: Mapped[str] = mapped_column(String(16))  # waiting, running, done, failed, skipped
-    words: Mapped[Text | str] = mapped_column(StoredText(400))
+    words: Mapped[Text | str] = mapped_column(TextColumn(400))
     run_id: Mapped[str | None] = mapped_column(ForeignKey("run.id"), index=True)
 
 
@@ -256,7 +256,7 @@ class Trial(Table):
     status: Mapped[str] = mapped_column(String(16))  # running, done
     end: Mapped[str | None] = mapped_column(String(16))  # a TrialEnding
     kept: Mapped[bool]
-    discard_reason: Mapped[Text | str | None] = mapped_column(StoredText(200))  # a string: by a person
+    discard_reason: Mapped[Text | str | None] = mapped_column(TextColumn(200))  # a string: by a person
     measures: Mapped[JsonDocument | None]
     # A long document: only a query that names it reads it.
     quality: Mapped[JsonDocument | None] = mapped_column(deferred=True, deferred_raiseload=True)

@@ -156,7 +156,12 @@ def test_a_profile_of_before_stays_as_it_is():
 
 
 @pytest.mark.parametrize(
-    "wrong", [{"text": 5}, {"id": "grade-angle"}, {"text": "grade-angle", "degrees": {"number": 1.0, "digits": 10**9}}]
+    "wrong",
+    [
+        {"text": 5},
+        {"id": "grade-angle"},
+        {"text": "grade-angle", "values": {"degrees": {"number": 1.0, "digits": 10**9}}},
+    ],
 )
 def test_a_text_that_no_program_has_stored_is_refused(wrong):
     with pytest.raises(ValidationError):

@@ -25,8 +25,8 @@ from app.store.tables import (
     PatientSession,
     Profile,
     Run,
-    StoredText,
     Table,
+    TextColumn,
     Trial,
 )
 from app.texts import ENGLISH, Text, Value, reader_language
@@ -262,5 +262,5 @@ def _json_type(column: Column[Any]) -> type | tuple[type, ...]:
         return (int, float)
     if isinstance(kind, Integer):
         return int
-    assert isinstance(kind, String | StoredText | Moment | Date)
+    assert isinstance(kind, String | TextColumn | Moment | Date)
     return str

@@ -5,7 +5,7 @@ from datetime import datetime
 from sqlalchemy import ForeignKey, String
 from sqlalchemy.orm import Mapped, mapped_column
 
-from app.store.tables import StoredText, Table
+from app.store.tables import Table, TextColumn
 from app.texts import Text
 
 
@@ -29,7 +29,7 @@ class MadeBackup(Table):
     name: Mapped[str] = mapped_column(String(80))  # of the file
     in_folder: Mapped[bool]  # one of a folder, which keeps 7 daily, 4 weekly and 6 monthly ones
     good: Mapped[bool]  # it was read back, and every hash is right
-    message: Mapped[Text | str] = mapped_column(StoredText(400))  # why it is not good, or what was left out
+    message: Mapped[Text | str] = mapped_column(TextColumn(400))  # why it is not good, or what was left out
     files: Mapped[int]
     bytes: Mapped[int]
     encrypted: Mapped[bool]

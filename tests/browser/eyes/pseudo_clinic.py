@@ -22,6 +22,8 @@ from app.api import app as application
 from app.api import request_language
 from app.api.pages import Pages
 from app.settings import data_folder, static_folder
+from app.world.place_texts import messages_in
+from app.world.scene import bundled_places
 
 PLAIN_WORD = re.compile(r"[A-Za-z][a-z]+|[A-Z]{2,}")
 # What is on a page and comes from no message, with the reason.
@@ -104,9 +106,10 @@ def strings(document: Any) -> Iterator[str]:
 
 @cache
 def plan_words() -> frozenset[str]:
-    """Return the texts of the floor plans and tasks that come with the program: like people's own, in one language."""
+    """Return the texts of the floor plans and tasks that come with the program and have no message: what things are."""
     files = (file for name in ("floorplans", "scenes") for file in (data_folder() / name).glob("*.json"))
-    return frozenset(text for file in files for text in strings(json.loads(file.read_text(encoding="utf-8"))))
+    texts = {text for file in files for text in strings(json.loads(file.read_text(encoding="utf-8")))}
+    return frozenset(texts - {text for place in bundled_places().values() for text, _ in messages_in(place)})
 
 
 def english_words(page: Any, clinic: PseudoClinic) -> dict[str, list[str]]:

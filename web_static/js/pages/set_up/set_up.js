@@ -4,6 +4,7 @@ import { h, put } from "../../widgets/dom.js";
 import { field } from "../../widgets/fields.js";
 import { passwordField } from "../../shell/password_field.js";
 import { failureWords } from "../../api.js";
+import { languageChoice } from "../../widgets/language_choice.js";
 import { t } from "../../texts.js";
 
 /** @param {import("../../main.js").App} app @param {HTMLElement} root */
@@ -55,6 +56,7 @@ export async function show(app, root) {
         problem,
         h("button", { class: "btn go large" }, t("setup-go")),
       ),
+      languageChoice(app),
     ),
   );
 }

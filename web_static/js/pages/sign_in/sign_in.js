@@ -53,8 +53,8 @@ export async function show(app, root) {
       { class: "door card" },
       h("h1", { tabindex: "-1" }, t("sign-in-title")),
       h("p", { class: "lead" }, t("sign-in-lead")),
-      languageChoice(app),
       app.me?.demo ? h("p", {}, t("sign-in-demo")) : [form, h("p", { class: "quiet small" }, t("sign-in-invited"))],
+      languageChoice(app),
     ),
   );
 }

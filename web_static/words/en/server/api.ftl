@@ -51,16 +51,16 @@ api-proxy-not-encrypted = The proxy was reached without encryption: let it answe
 # $none is a word of the interface for programs, $header the name of a header.
 api-session-unnamed = The request does not name the session that its page shows: send its id, or '{ $none }' while no session is open, in the header { $header }.
 api-link-only-here = Only this machine can open the link, because the program listens to nobody else.
-api-link-only-in-network = The link opens in the clinic's own network or VPN only: elsewhere, it needs a proxy (page “For administrators”).
-api-screen-only-here = Only this machine can open the link, because the program serves no other. For a screen of its own, end the program and start it with bodydrive serve --lan.
-api-this-machine-only = This program serves this machine alone: end it, and start it with bodydrive serve --lan.
+api-link-only-in-network = The link opens in the clinic's own network or VPN only: elsewhere, it needs a proxy (page “For the computing department” under /docs/).
+api-screen-only-here = Only this machine can open the link, because the program listens to nobody else. For a screen of its own, end the program and start it with “bodydrive serve --lan”.
+api-this-machine-only = This program serves this machine alone: end it, and start it with “bodydrive serve --lan”.
 api-only-tablet-page = Over http there is only the page that explains how to connect: open / at this address.
 api-own-certificate = This clinic has a certificate of its own: there is nothing to install.
 
 ## Driving
 
 api-far = The chair is set in motion only from a screen in the building, connected without anything in between: go to the chair, and open the page there.
-api-another-controller = Somebody else started this drive, and only they go on or end it here: you can stop it, and ask them.
+api-another-controller = Somebody else started this, and only that person can go on with it or end it here. You can stop it, and ask.
 api-no-picture = This screen has no picture, and nobody drives blind: wait until the 3D view is there, or choose the drawn plan on the Drive page.
 api-no-picture-for-patient = The patient's screen has no picture, and nobody drives blind: wait until it has one, or unpair that screen.
 api-patients-screen-away = The patient's screen, which this trial uses, is out of reach: bring it back, or unpair it, then tap Continue.
@@ -76,7 +76,7 @@ api-no-view = There is no 3D view while no session is open: open one first.
 
 # Title of the last step of a calibration.
 api-result = Result
-api-result-instruction = Look at each joint. Repeat what is not good enough, then tap “Use this calibration”.
+api-result-instruction = Look at each joint. Repeat what is not good enough, then tap “{ result-accept }”.
 api-calibration-busy = A step is being recorded, or the calibration is being worked out: wait for its end.
 api-calibration-in-use = This calibration is in use already: go on to the controls, or repeat a step.
 # Begins a sentence on what is wrong in a set of controls.
@@ -96,15 +96,15 @@ api-trials-not-comparable = These two trials differ in their patient, task or so
 ## Floor plans and objects
 
 # $problem says what is wrong in the file of the plan, and what to do, without a full stop.
-api-plan-unusable = The floor plan '{ $name }' cannot be used: { $problem }, then save or import it again.
+api-plan-unusable = The floor plan '{ $name }' cannot be used: { $problem }. Then save or import it again.
 api-no-plan = There is no floor plan '{ $name }': choose one of the list.
 # Begins a sentence on what is wrong in a floor plan.
 api-the-plan = The floor plan
 # $problem is a sentence without its full stop: what is wrong, and what to do.
 api-problem = { $problem }.
-api-plan-too-many-parts = The floor plan: it has more than { NUMBER($count, useGrouping: 1) } points and objects: make it simpler.
+api-plan-too-many-parts = The floor plan has more than { NUMBER($count, useGrouping: 1) } points and objects: make it simpler.
 api-plan-other-name = The floor plan, name: it is not '{ $name }' as in the address: correct it.
-api-plan-unreadable = This floor plan can no longer be read: save it again as it was drawn.
+api-plan-unreadable = This floor plan can no longer be read: draw it anew.
 api-options-not-json = The import, options: this is not JSON: correct it.
 # $endings are endings of file names.
 api-wrong-plan-file = '{ $name }' is none of these: { $endings }. Save it as one of them, then add it again.

@@ -7,7 +7,7 @@ drives-during-test = The two-minute test is running, in which no chair moves: en
 drives-not-calibrated = There is nothing to drive with: calibrate first.
 drives-controls-changed = The controls were changed meanwhile: load them again, then arm.
 # $happened and $remedy are whole sentences on the stop that is still in force: what happened, and what to do.
-drives-latched = { $happened } { $remedy } Take the stop back, then start again.
+drives-latched = { $happened } { $remedy } Take the stop back first.
 drives-speed-without-brake = With these controls the chair would keep a speed that no movement can slow: on the Controls page, bind a movement to the opposite direction or to Stop, or choose “Follows the movement”.
 drives-posture-without-brake = With these controls a sensor that sticks while a posture is held could drive the chair on, and no movement could stop it: on the Controls page, bind movements of other joints to Stop, or choose “Moving” in place of “Holding”.
 # $problem says what became of the key of the pairing, without a full stop.
@@ -38,7 +38,7 @@ drives-wrong-sender = This sender sends no frames of this shirt: look at the Shi
 drives-keys-move-nobody = The keys move nobody in this shirt: choose “You” as the body first.
 drives-no-tablet = No tablet is used as the head tracker: choose it on the Shirt page first.
 drives-no-pose = The head tracker has not said where the head looks: wait for its first pose.
-drives-run-ending = The run is being ended: begin a new one first.
+drives-run-ending = The recording is being ended: begin a new one, then arm.
 drives-another-stop = There was another stop meanwhile: look around, then tap Continue again.
 drives-recording = Something is being recorded already: end it first.
 drives-armed = The chair is armed: end the drive first.
@@ -53,7 +53,7 @@ drives-still-stopping = The chair is still coming to a stop: try again in a mome
 drives-not-recording = Nothing is being recorded: begin a run first.
 # $problem is the reason that the operating system gives.
 drives-cannot-record = The recording cannot be begun ({ $problem }): free some disk space.
-drives-disk-full = Only { $free } MB are free on the disk of the recordings, and nothing may be lost of a drive: free { $needed } MB, then begin again.
+drives-disk-full = Only { $free } MB are free on the disk of the recordings, and nothing may be lost of a drive: make that { $needed } MB, then begin again.
 
 ## Devices
 
@@ -63,15 +63,15 @@ drives-tracker-failed = The head tracker failed ({ $problem }): choose it again.
 drives-shirt-failed = The shirt failed ({ $problem }): choose it again.
 drives-virtual-chair =
     { $dynamics ->
-        [wheelchair] The virtual chair, moving as a wheelchair.
-       *[unicycle] The virtual chair, moving as a unicycle.
+        [wheelchair] The virtual chair, which moves like a real one.
+       *[unicycle] The virtual chair, which answers at once.
     }
 drives-others-hang =
     { $device ->
-        [shirt] The shirt is not opened, for { $count } others still hang: start bodydrive again.
-        [body] The body is not opened, for { $count } others still hang: start bodydrive again.
-        [chair] The chair is not opened, for { $count } others still hang: start bodydrive again.
-       *[tracker] The head tracker is not opened, for { $count } others still hang: start bodydrive again.
+        [shirt] The shirt is not opened, for { $count } earlier attempts to open a device have not ended: start bodydrive again.
+        [body] The body is not opened, for { $count } earlier attempts to open a device have not ended: start bodydrive again.
+        [chair] The chair is not opened, for { $count } earlier attempts to open a device have not ended: start bodydrive again.
+       *[tracker] The head tracker is not opened, for { $count } earlier attempts to open a device have not ended: start bodydrive again.
     }
 drives-opening-slow =
     { $device ->
@@ -125,6 +125,6 @@ drives-replay-empty = the recording holds nothing: choose another one
 # Two counts of channels.
 drives-replay-channels = the recording has { $recorded } channels and the profile { $expected }: use the profile of the same shirt
 # $stated is what stands in the file run.json; the others are in Hz.
-drives-replay-rate = its run.json gives the sample rate as { $stated }, which must be { $slowest } to { $fastest } Hz: correct it
+drives-replay-rate = run.json gives the sample rate as { $stated }, which must be { $slowest } to { $fastest } Hz: correct it
 # Begins a sentence on what is wrong: a field of the file run.json of the recording.
-drives-replay-part = its run.json, { $part }
+drives-replay-part = run.json, { $part }

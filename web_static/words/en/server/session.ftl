@@ -4,12 +4,12 @@
 ## The open session
 
 visit-nobody = No session is open: choose a patient on the Patients page first.
-visit-not-calibrated = Nothing is calibrated yet: calibrate first, and tap “Use this calibration”.
+visit-not-calibrated = Nothing is calibrated yet: calibrate first, and tap “{ result-accept }”.
 visit-shirt-silent = The shirt sends no signals: the Shirt page says what arrives from it.
 visit-calibrated-unworn = The patient's calibration is one of a shirt that nobody wore: calibrate in the worn shirt first.
 visit-calibrated-in-another = The patient was calibrated in another shirt: calibrate in this one first.
 visit-calibrated-at-another-rate = The shirt sends at another rate than it was calibrated at: calibrate again first.
-visit-code-wrong = This code is wrong, used or older than 10 minutes: ask for a new one on the clinician's page.
+visit-code-wrong = This code is wrong, used or older than 10 minutes: ask for a new one from the clinician's page.
 
 # $now and $page are whole sentences: which session is open now, and what the page shows.
 visit-another-session = { $now } { $page }
@@ -28,7 +28,7 @@ visit-busy =
     { $running ->
         [trial] A trial is running: end it first, then { $then }.
         [drive] The real chair is armed: end the drive first, then { $then }.
-        [step] A calibration step is running: wait for its end, or cancel it, then { $then }.
+        [step] A calibration step is running: wait for its end, or stop the recording, then { $then }.
        *[test] The two-minute test is running: end it first, then { $then }.
     }
 # The texts visit-then-... stand at the end of visit-busy. They tell a person what to do, in the imperative.
@@ -63,7 +63,7 @@ visit-already-recorded =
         [drive] Something is being recorded already: end it first, then arm the chair.
        *[test] Something is being recorded already: end it first, then start the two-minute test.
     }
-visit-recording = Something is being recorded already: wait for its end, or stop it first.
+visit-recording = Something is being recorded already: wait for its end, or stop the recording first.
 visit-no-trial = No trial is running: start one first.
 visit-trial-still-measured = The trial is still being measured: look at it again in a moment.
 visit-no-drive = The chair is not being driven: arm it first.
@@ -73,7 +73,11 @@ visit-test-still-measured = The two-minute test is still being measured: look at
 
 ## Recordings
 
-visit-ticks-lost = { $count } ticks were lost while recording: close other programs, then repeat this step.
+visit-ticks-lost =
+    { $count ->
+        [one] { $count } turn of the control loop was lost while recording: close other programs, then repeat this step.
+       *[other] { $count } turns of the control loop were lost while recording: close other programs, then repeat this step.
+    }
 visit-recording-without-plan = The recording does not hold the floor plan of its trial: it cannot be measured again.
 visit-recording-without-parameters = The recording does not say with what parameters it was driven: it cannot be judged.
 
@@ -88,7 +92,7 @@ visit-no-file =
         [key] There is no file '{ $name }' here: pair the shirt first (bodydrive shirt pair).
        *[file] There is no file '{ $name }' here: bring it with 'Add a file' first.
     }
-visit-keys-used-up = Every number of a shirt's key was used: begin with a new state folder.
+visit-keys-used-up = Every number of a shirt's key was used: begin with a new folder for the clinic.
 visit-chair-virtual = The virtual chair: nothing moves but the picture.
 visit-chair-not-open = The chair is not open: choose it again.
 # $name is the name of a chair.
@@ -101,7 +105,7 @@ visit-chair-unknown-fault = The chair reports a fault that this program does not
 visit-shirt-changed = The shirt is another one than when this calibration began: begin the calibration anew.
 # $step is the name of a step in the program.
 visit-no-step = There is no step '{ $step }' in this calibration: choose one of the list.
-visit-step-recorded = A step is being recorded: wait for its end, or cancel it first.
+visit-step-recorded = A step is being recorded: wait for its end, or stop the recording first.
 visit-step-not-recorded = This step is not being recorded, or no longer: start it, or choose another.
 visit-step-needed = Rest and free movement cannot be skipped: the calibration is made of them.
 visit-step-interrupted = The program ended during this step: repeat it.
