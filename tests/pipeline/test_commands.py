@@ -18,7 +18,6 @@ from app.pipeline.runs import require_room
 from app.pipeline.setup import CommandRefused
 from app.session.equipment.pairing import pair_shirt, shirt_key_file
 from app.speed_limits import HIGHEST_SPEEDS, Speeds
-from app.texts import from_document
 from app.world.clearance import Clearance
 from app.world.floorplan import MAX_WALLS
 
@@ -129,7 +128,8 @@ def test_the_caps_of_a_real_chair_hold_and_go_with_it(control, chair):
     assert control.setup.chair._digest == bytes.fromhex(control.parameters.hash)[:8]
     assert control.done("chair", config={"kind": "virtual", "dynamics": "wheelchair"})["kind"] == "virtual"
     assert control.setup.chain.limits.forward == control.parameters.speeds.forward
-    assert "wheelchair" in str(from_document(control.done("status")["chair"]["words"]))
+    words = control.done("status")["chair"]["words"]
+    assert words == {"text": "drives-virtual-chair", "values": {"dynamics": "wheelchair"}}
 
 
 def test_a_real_chair_is_armed_only_when_it_is_recorded_heard_and_its_switch_is_known(control, chair, tmp_path):
