@@ -83,7 +83,7 @@ def main() -> int:
     """Run all of it; return 0 when every limit is kept."""
     with tempfile.TemporaryDirectory(prefix="bodydrive-mutation-") as folder:
         copy = Path(folder)
-        for part in ("app", "tests", "data"):
+        for part in ("app", "tests", "data", "web_static/words"):
             shutil.copytree(ROOT / part, copy / part, ignore=shutil.ignore_patterns("__pycache__", ".*"))
         shutil.copy(ROOT / "pyproject.toml", copy)
         files = [f"tests/pipeline/{name}.py" for name in TESTS]

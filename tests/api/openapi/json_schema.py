@@ -8,7 +8,7 @@ import re
 from collections.abc import Iterator
 from typing import Any
 
-WORDS = {"title", "description", "default", "discriminator", "format", "examples", "writeOnly"}
+WORDS = {"title", "description", "default", "discriminator", "format", "examples", "writeOnly", "unit"}
 CHECKED = {
     *("$ref", "type", "enum", "const", "anyOf", "oneOf", "allOf", "properties", "required", "additionalProperties"),
     *("items", "prefixItems", "minItems", "maxItems", "minLength", "maxLength", "pattern", "minimum", "maximum"),
