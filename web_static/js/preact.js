@@ -18,10 +18,21 @@ export { computed, signal, useComputed, useSignal } from "../vendor/@preact/sign
  * @param {HTMLElement} root the place of the pages @param {ComponentChild} page @param {string} [kind] classes of the element
  */
 export function drawPage(root, page, kind = "body") {
+  root.replaceChildren();
+  drawPart(root, page, kind);
+}
+
+/** Show the foot of a page, after the page. @param {HTMLElement} root the place of the pages @param {ComponentChild} foot */
+export function drawFoot(root, foot) {
+  drawPart(root, foot, "foot");
+}
+
+/** @param {HTMLElement} root @param {ComponentChild} part @param {string} kind classes of the element */
+function drawPart(root, part, kind) {
   const element = document.createElement("div");
   element.className = kind;
-  root.replaceChildren(element); // first, because only a control in the document can take the focus
-  render(page, element);
+  root.append(element); // first, because only a control in the document can take the focus
+  render(part, element);
 }
 
 /** A `ref` of a control that has the focus as soon as it appears. @param {HTMLElement | null} control */
