@@ -1,13 +1,12 @@
 /**
  * What draws the pages, and holds their state: Preact and its signals, of `web_static/vendor/`.
- * @import { ComponentChild } from "../vendor/preact/preact.js"
  * @typedef {import("../vendor/preact/preact.js").ComponentChildren} ComponentChildren
  */
 /** @template Props @typedef {import("../vendor/preact/preact.js").VNode<Props>} VNode */
 /** @template Element @typedef {import("../vendor/preact/preact.js").Ref<Element>} Ref */
 /** @template Value @typedef {import("../vendor/@preact/signals/signals.js").ReadonlySignal<Value>} ReadonlySignal */
 import { useLayoutEffect, useRef } from "../vendor/preact/hooks.js";
-import { render } from "../vendor/preact/preact.js";
+import { Fragment, h, render } from "../vendor/preact/preact.js";
 
 export { cloneElement, createRef, Fragment, h, render } from "../vendor/preact/preact.js";
 export { useLayoutEffect, useMemo, useRef, useState } from "../vendor/preact/hooks.js";
@@ -15,13 +14,24 @@ export { computed, signal, useComputed, useSignal } from "../vendor/@preact/sign
 
 /**
  * Show a page in place of what was shown, in an element of its own.
- * @param {HTMLElement} root the place of the pages @param {ComponentChild} page @param {string} [kind] classes of the element
+ * @param {HTMLElement} root the place of the pages @param {ComponentChildren} page @param {string} [kind] classes of the element
  */
 export function drawPage(root, page, kind = "body") {
+  root.replaceChildren();
+  drawPart(root, page, kind);
+}
+
+/** Show the foot of a page, after `drawPage`. @param {HTMLElement} root @param {ComponentChildren} foot */
+export function drawFoot(root, foot) {
+  drawPart(root, foot, "foot");
+}
+
+/** @param {HTMLElement} root @param {ComponentChildren} part @param {string} kind classes of the element */
+function drawPart(root, part, kind) {
   const element = document.createElement("div");
   element.className = kind;
-  root.replaceChildren(element); // first, because only a control in the document can take the focus
-  render(page, element);
+  root.append(element); // first, because only a control in the document can take the focus
+  render(h(Fragment, {}, part), element);
 }
 
 /** A `ref` of a control that has the focus as soon as it appears. @param {HTMLElement | null} control */

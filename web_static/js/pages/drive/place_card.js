@@ -1,49 +1,39 @@
 /**
  * Where the chair is in its task: time, stage, how far, how well, and how near a leader is.
- * @import { FloorPlan, PrescribedPath } from "../../plan/floor_plan.js"
  * @import { TrialMoment } from "types/api"
+ * @import { TrialStore } from "./trial_store.js"
  */
+import { h } from "../../preact.js";
 import { REFERENCE } from "../../reference.js";
 import { t } from "../../texts.js";
-import { h, write } from "../../widgets/dom.js";
 import { clock, number } from "../../widgets/format.js";
 
 const OFF_PATH = 0.01; // m: less is drawn as on the path
 const DEGREES = 180 / Math.PI;
 
-/** @param {FloorPlan} plan @param {PrescribedPath} path */
-export function placeCard(plan, path) {
-  const [name, time, done, off, contacts] = [
-    h("div", { class: "quiet small" }),
-    h("div", { class: "big" }),
-    h("span", {}),
-    h("span", {}),
-    h("span", {}),
-  ];
-  const asked = path.task.kind === "follow" ? path.task.distance : null;
-  const bar = asked === null ? null : leaderBar(asked);
-  const element = h(
+/** @param {{store: TrialStore}} card */
+export function PlaceCard({ store: { plan, path, title, moment } }) {
+  const { trial: now, contacts: count } = moment.value ?? {};
+  const stage = now && now.stages > 1 && { stage: now.stage + 1, stages: now.stages, title: now.title };
+  return h(
     "div",
     { class: "hud place" },
-    name,
-    time,
-    bar?.element,
-    h("div", { class: "small number facts" }, done, off, contacts),
+    h(
+      "div",
+      { class: "quiet small" },
+      stage ? t("trial-stage", stage) : (title.value ?? `${plan.title} · ${path.title}`),
+    ),
+    h("div", { class: "big" }, clock(now?.t ?? 0)),
+    path.task.kind === "follow" &&
+      h(LeaderBar, { asked: path.task.distance, distance: now?.leader ? (now.leader_distance ?? 0) : null }),
+    h(
+      "div",
+      { class: "small number facts" },
+      h("span", {}, now && progressWords(now)),
+      h("span", {}, now && !now.leader && asideWords(now)),
+      h("span", {}, count ? t("trial-contacts", { count }) : ""),
+    ),
   );
-  /** @param {TrialMoment} now @param {number} count of contacts */
-  const show = (now, count) => {
-    write(time, clock(now.t ?? 0));
-    write(done, progressWords(now));
-    if (now.leader) bar?.show(now.leader_distance);
-    else write(off, asideWords(now));
-    write(contacts, count ? t("trial-contacts", { count }) : "");
-    if (now.stages > 1) write(name, t("trial-stage", { stage: now.stage + 1, stages: now.stages, title: now.title }));
-  };
-  write(name, `${plan.title} · ${path.title}`);
-  write(time, clock(0));
-  /** @param {string} words */
-  const setName = (words) => write(name, words);
-  return { element, show, name: setName };
 }
 
 /** The progress: metres along the line, or degrees that are left to turn. @param {TrialMoment} now */
@@ -59,25 +49,21 @@ function asideWords({ kind, cross_track: aside }) {
   return t(kind === "turn" ? "trial-spot" : "trial-off", { distance: number(distance, 2) });
 }
 
-/** The distance to a leader in words, and a mark on a bar whose middle is what is asked. @param {number} asked m */
-function leaderBar(asked) {
-  const words = h("span", {});
-  const element = h(
+/**
+ * The distance to a leader in words, and a mark on a bar whose middle is what is asked.
+ * @param {{asked: number, distance: number | null}} bar m; null before the leader is there
+ */
+function LeaderBar({ asked, distance }) {
+  const near = REFERENCE.numbers.leader_near;
+  const error = (distance ?? asked) - asked;
+  const tone = Math.abs(error) <= near ? "right" : error < 0 ? "near" : "far";
+  /** @param {number} metres */
+  const share = (metres) => `${Math.min(100, (50 * metres) / asked)}%`;
+  const style = `--near: ${share(asked - near)}; --far: ${share(asked + near)}; --at: ${share(distance ?? asked)}`;
+  return h(
     "div",
-    { class: "leader" },
-    words,
+    { class: "leader", style, "data-tone": distance === null ? undefined : tone },
+    h("span", {}, distance !== null && t(`trial-behind-${tone}`, { distance: number(distance, 1) })),
     h("div", { class: "leader-bar", "aria-hidden": "true" }, h("i", {})),
   );
-  element.style.setProperty("--near", `${(50 * (asked - REFERENCE.numbers.leader_near)) / asked}%`);
-  element.style.setProperty("--far", `${(50 * (asked + REFERENCE.numbers.leader_near)) / asked}%`);
-  /** @param {number | null} distance m */
-  const show = (distance) => {
-    const metres = distance ?? 0;
-    const error = metres - asked;
-    const tone = Math.abs(error) <= REFERENCE.numbers.leader_near ? "right" : error < 0 ? "near" : "far";
-    element.dataset.tone = tone;
-    write(words, t(`trial-behind-${tone}`, { distance: number(distance, 1) }));
-    element.style.setProperty("--at", `${Math.min(100, (50 * metres) / asked)}%`);
-  };
-  return { element, show };
 }

@@ -1,146 +1,127 @@
 /**
  * All tasks in groups: a tap shows the places of one group, another one leads to the Drive page with the task.
+ * @import { App } from "../../main.js"
  * @import { FloorPlanView } from "types/api"
  * @import { Task } from "./task_words.js"
  */
+import { drawFoot, drawPage, Fragment, h, useSignal } from "../../preact.js";
 import { t } from "../../texts.js";
-import { h, put, set } from "../../widgets/dom.js";
-import { segments } from "../../widgets/fields.js";
+import { Segments } from "../../widgets/fields.js";
 import { number } from "../../widgets/format.js";
-import { planPicture } from "../../plan/plan_svg.js";
+import { PlanPlace } from "./plan_place.js";
 import { findTask, pathWords, taskLink } from "./task_words.js";
 
 const GROUPS = /** @type {const} */ (["first", "corridors", "doors", "obstacles", "following", "outdoors", "own"]);
 
 /**
- * @param {import("../../main.js").App} app @param {HTMLElement} root
- * @param {string[]} named floor plan and path of the task that the Drive page shows @param {AbortSignal} signal
+ * @param {App} app @param {HTMLElement} root
+ * @param {string[]} named floor plan and path of the task that the Drive page shows @param {AbortSignal} left
  */
-export async function showChooser(app, root, [floorplan, path], signal) {
+export async function showChooser(app, root, [floorplan, path], left) {
   const plans = await app.api.get("/floorplans");
-  if (signal.aborted) return;
+  if (left.aborted) return;
   const current = findTask(plans, floorplan, path);
-  const title = h("h2", { class: "unseen" });
-  const about = h("p", { class: "quiet small" });
-  const cards = h("div", { class: "plan-cards" });
-  const buttons = GROUPS.map((group) =>
-    h("button", { type: "button", class: "btn", onclick: () => choose(group) }, t(`drive-group-${group}`)),
-  );
-  /** @param {typeof GROUPS[number]} group */
-  const choose = (group) => {
-    buttons.forEach((button, i) => set(button, { "aria-pressed": String(GROUPS[i] === group) }));
-    const found = places(plans.filter((plan) => plan.group === group));
-    put(title, t(`drive-group-${group}`));
-    put(
-      about,
-      group === "own" && !found.length && [t("drive-own-none"), " "],
-      group === "own" &&
-        app.me?.role !== "reviewer" &&
-        h("a", { class: "btn small", href: "#/plans" }, t("drive-own-go")),
-    );
-    put(
-      cards,
-      found.map((levels) => placeCard(app, levels, current, signal)),
-    );
-  };
-  choose(current?.plan.group ?? "first");
-  put(
-    root,
+  drawPage(root, h(Chooser, { app, plans, current, left }));
+  const back = h("a", { class: "btn", href: current ? taskLink("task", current) : "#/drive" }, t("back"));
+  drawFoot(root, [h("span", { class: "grow" }), back]);
+}
+
+/** @param {{app: App, plans: FloorPlanView[], current: Task | undefined, left: AbortSignal}} chooser */
+function Chooser({ app, plans, current, left }) {
+  const group = useSignal(current?.plan.group ?? "first");
+  const places = placesOf(plans.filter((plan) => plan.group === group.value));
+  return h(
+    Fragment,
+    {},
+    h("h1", { tabindex: -1 }, t("drive-choose-title")),
+    h("p", { class: "lead" }, t("drive-choose-lead")),
     h(
       "div",
-      { class: "body" },
-      h("h1", { tabindex: "-1" }, t("drive-choose-title")),
-      h("p", { class: "lead" }, t("drive-choose-lead")),
-      h("div", { class: "task-groups", role: "group", "aria-label": t("drive-choose-groups") }, buttons),
-      title,
-      about,
-      cards,
+      { class: "task-groups", role: "group", "aria-label": t("drive-choose-groups") },
+      GROUPS.map((name) =>
+        h(
+          "button",
+          {
+            key: name,
+            type: "button",
+            class: "btn",
+            "aria-pressed": name === group.value,
+            onClick: () => (group.value = name),
+          },
+          t(`drive-group-${name}`),
+        ),
+      ),
+    ),
+    h("h2", { class: "unseen" }, t(`drive-group-${group.value}`)),
+    h(
+      "p",
+      { class: "quiet small" },
+      group.value === "own" && !places.length && [t("drive-own-none"), " "],
+      group.value === "own" &&
+        app.me?.role !== "reviewer" &&
+        h("a", { class: "btn small", href: "#/plans" }, t("drive-own-go")),
     ),
     h(
       "div",
-      { class: "foot" },
-      h("span", { class: "grow" }),
-      h("a", { class: "btn", href: current ? taskLink("task", current) : "#/drive" }, t("back")),
+      { class: "plan-cards" },
+      places.map((levels) => h(PlaceCard, { key: levels[0].name, app, levels, current, left })),
     ),
   );
 }
 
 /** The plans that are levels of one scene together, after the buildings. @param {FloorPlanView[]} plans */
-function places(plans) {
-  /** @type {Map<string, FloorPlanView[]>} */
-  const found = new Map();
-  for (const plan of plans) {
-    const key = plan.scene ? `scene ${plan.scene.name}` : plan.name;
-    found.set(key, [...(found.get(key) ?? []), plan]);
-  }
-  return [...found.values()].sort(([one], [other]) => Number(Boolean(one.scene)) - Number(Boolean(other.scene)));
+function placesOf(plans) {
+  const places = Map.groupBy(plans, ({ name, scene }) => (scene ? `scene ${scene.name}` : name));
+  return [...places.values()].sort(([one], [other]) => Number(Boolean(one.scene)) - Number(Boolean(other.scene)));
 }
 
 /**
- * @param {import("../../main.js").App} app @param {FloorPlanView[]} levels of one scene, or one building
- * @param {Task | undefined} current @param {AbortSignal} signal
+ * @param {{app: App, levels: FloorPlanView[], current: Task | undefined, left: AbortSignal}} card levels: those of one
+ *   scene, or one building
  */
-function placeCard(app, levels, current, signal) {
-  const { scene, title: planTitle, width, height } = levels[0];
-  const title = scene?.title ?? planTitle;
-  const picture = h("div", { class: "plan-place" });
-  const tasks = h("ul", { class: "paths" });
-  /** @param {FloorPlanView} plan @param {FloorPlanView["paths"][number]} path */
-  const taskItem = (plan, path) => {
-    const isCurrent = plan.name === current?.plan.name && path.name === current.path.name;
-    return h(
-      "li",
-      {},
-      h(
-        "a",
-        { class: "choice", href: taskLink("task", { plan, path }), "aria-current": isCurrent ? "true" : null },
-        h("b", { class: "grow" }, path.title),
-        h("span", { class: "number" }, pathWords(path)),
-      ),
-    );
-  };
-  /** @param {FloorPlanView} plan */
-  const setLevel = async (plan) => {
-    put(
-      tasks,
-      plan.paths.map((path) => taskItem(plan, path)),
-    );
-    const document = await app.api.get(`/floorplans/${plan.name}`).catch(() => null);
-    if (
-      signal.aborted ||
-      !document ||
-      !tasks.querySelector(`[href^="${taskLink("task", { plan, path: plan.paths[0] })}"]`)
-    )
-      return;
-    const [request] = document.paths;
-    const label = t("drive-plan-label", { plan: plan.title, path: request.title });
-    put(picture, planPicture(document, request.points, { label, request }).element);
-  };
-  const first = levels.find(({ name }) => name === current?.plan.name) ?? levels[0];
-  setLevel(first);
+function PlaceCard({ app, levels, current, left }) {
+  const chosen = useSignal((levels.find(({ name }) => name === current?.plan.name) ?? levels[0]).name);
+  const plan = levels.find(({ name }) => name === chosen.value) ?? levels[0];
+  const { scene, width, height } = plan;
+  const title = scene?.title ?? plan.title;
+  const size = { width: number(width, 0), height: number(height, 0) };
   return h(
     "section",
     { class: "card plan-card" },
-    h(
-      "h3",
-      {},
-      title,
-      !scene &&
-        h("span", { class: "quiet small" }, t("drive-size", { width: number(width, 0), height: number(height, 0) })),
-    ),
+    h("h3", {}, title, !scene && h("span", { class: "quiet small" }, t("drive-size", size))),
     scene && h("p", { class: "quiet small about" }, scene.about),
-    picture,
+    h(PlanPlace, { app, task: { plan, path: plan.paths[0] }, left }),
     h(
       "div",
       { class: "stack" },
       levels.length > 1 &&
-        segments(
-          t("drive-level", { plan: title }),
-          levels.map(({ name, level, title: own }) => ({ value: name, label: level?.title ?? own })),
-          first.name,
-          (name) => setLevel(levels.find((one) => one.name === name) ?? first),
-        ),
-      tasks,
+        h(Segments, {
+          label: t("drive-level", { plan: title }),
+          options: levels.map(({ name, level, title: own }) => ({ value: name, label: level?.title ?? own })),
+          chosen: chosen.value,
+          onChange: (name) => void (chosen.value = name),
+        }),
+      h(
+        "ul",
+        { class: "paths" },
+        plan.paths.map((path) => h(TaskItem, { key: `${plan.name} ${path.name}`, task: { plan, path }, current })),
+      ),
+    ),
+  );
+}
+
+/** @param {{task: Task, current: Task | undefined}} item */
+function TaskItem({ task, current }) {
+  const { plan, path } = task;
+  const isCurrent = plan.name === current?.plan.name && path.name === current.path.name;
+  return h(
+    "li",
+    {},
+    h(
+      "a",
+      { class: "choice", href: taskLink("task", task), "aria-current": isCurrent ? "true" : undefined },
+      h("b", { class: "grow" }, path.title),
+      h("span", { class: "number" }, pathWords(path)),
     ),
   );
 }

@@ -1,32 +1,43 @@
 /**
  * The Drive page before a trial: one task with its button; everything else has a page of its own.
  * @import { App } from "../../main.js"
- * @import { EquipmentView, ObstacleView, PatientView, ScreensView } from "types/api"
+ * @import { EquipmentView, NextTaskView, PatientView, ScreensView } from "types/api"
+ * @import { VNode } from "../../preact.js"
  * @import { Task } from "./task_words.js"
+ * @typedef {{task: Task, reason: "chosen" | NextTaskView["reason"]}} TaskChoice a task, and why it is shown
+ * @typedef {NonNullable<Awaited<ReturnType<typeof taskStore>>>} TaskStore
  */
 import { warningsPlace } from "../../results/control_warnings.js";
-import { h, put, write } from "../../widgets/dom.js";
-import { planPicture } from "../../plan/plan_svg.js";
+import { drawFoot, drawPage, Fragment, h, signal, useLayoutEffect } from "../../preact.js";
 import { wayBeforeDriving } from "./obstacle_link.js";
+import { PlanPlace } from "./plan_place.js";
 import { screenWords } from "./screen_words.js";
 import { findTask, taskLink, taskWords } from "./task_words.js";
 import { chooseView } from "../../view/view_bar.js";
 import { canDrawIn3d } from "../../view/webgl.js";
+import { Made } from "../../widgets/made.js";
 import { t } from "../../texts.js";
 
 /**
  * @param {App} app @param {HTMLElement} root @param {PatientView} patient @param {string[]} named floor plan and path
- * that a person has chosen; without them, a task is proposed @param {AbortSignal} signal
+ * that a person has chosen; without them, a task is proposed @param {AbortSignal} left
  */
-export async function showTask(app, root, patient, [floorplan, path], signal) {
+export async function showTask(app, root, patient, named, left) {
+  const store = await taskStore(app, patient.id, named, left);
+  if (!store) return;
+  drawPage(root, h(Page, { store }));
+  drawFoot(root, h(Foot, { store }));
+}
+
+/**
+ * What the page shows, as news change it; null when another page is shown.
+ * @param {App} app @param {number} patient id @param {string[]} named @param {AbortSignal} left
+ */
+async function taskStore(app, patient, [floorplan, path], left) {
   const mayDrive = app.me?.role !== "reviewer";
   const source = app.practice ? "simulated" : "worn";
-  const readProposal = () => app.api.get(`/patients/${patient.id}/next-task?source=${source}`);
-  const readWhatIsNext = async () => {
-    const [next, trials] = await Promise.all([readProposal(), app.api.get(`/trials?patient=${patient.id}`)]);
-    return { proposal: next, isRunning: trials.some(({ status }) => status === "running") };
-  };
-  const [plans, proposal, equipment, chairs, screens] = await Promise.all([
+  const readProposal = () => app.api.get(`/patients/${patient}/next-task?source=${source}`);
+  const [plans, proposal, equipmentNow, chairs, screensNow] = await Promise.all([
     app.api.get("/floorplans"),
     readProposal(),
     app.api.get("/equipment"),
@@ -34,147 +45,137 @@ export async function showTask(app, root, patient, [floorplan, path], signal) {
     mayDrive ? app.api.get("/patient-screen").catch(() => null) : null,
     app.readSession().catch(() => null), // what stands in the way of a trial now
   ]);
-  if (signal.aborted) return;
-  if (chairs.chosen !== null) return location.replace("#/drive/chair");
+  if (left.aborted) return null;
+  if (chairs.chosen !== null) {
+    location.replace("#/drive/chair");
+    return null;
+  }
   const chosen = findTask(plans, floorplan, path);
-  const task = chosen ?? findTask(plans, proposal.floorplan, proposal.path);
-  if (!task) throw new Error(t("drive-no-path", { path: proposal.path }));
+  /** @param {NextTaskView} next @returns {TaskChoice | null} null: it is in a plan that is not listed */
+  const choiceOf = (next) => {
+    const task = chosen ?? findTask(plans, next.floorplan, next.path);
+    return task ? { task, reason: chosen ? "chosen" : next.reason } : null;
+  };
+  const first = choiceOf(proposal);
+  if (!first) throw new Error(t("drive-no-path", { path: proposal.path }));
+  const choice = signal(first);
+  const equipment = signal(equipmentNow);
+  const screens = signal(screensNow); // null for somebody who does not drive, and when they could not be read
+  const obstacle = signal(app.session?.obstacle ?? null); // what the start of a trial would be refused for
   const has3d = canDrawIn3d();
+  /**
+   * Read something again after news of it, and show the newest answer; what cannot be read stays as it is shown.
+   * @template Shown @param {string} news @param {{value: Shown}} shown @param {() => Promise<Shown | null>} read null:
+   *   the page has to be shown anew
+   */
+  const follow = (news, shown, read) => {
+    let reads = 0;
+    /** @param {CustomEvent<string>} event */
+    const readAgain = async ({ detail }) => {
+      if (detail !== news && detail !== "everything") return;
+      const number = ++reads;
+      const answer = await read().catch(() => undefined);
+      if (answer === undefined || number !== reads || left.aborted) return;
+      if (answer === null) app.show();
+      else shown.value = answer;
+    };
+    app.live.addEventListener("changed", readAgain, { signal: left });
+  };
+  follow("trial", choice, async () => {
+    const [next, trials] = await Promise.all([readProposal(), app.api.get(`/trials?patient=${patient}`)]);
+    return trials.some(({ status }) => status === "running") ? null : choiceOf(next);
+  });
+  follow("equipment", equipment, () => app.api.get("/equipment"));
+  if (screensNow) follow("screens", screens, () => app.api.get("/patient-screen"));
+  app.addEventListener("session", () => void (obstacle.value = app.session?.obstacle ?? null), { signal: left });
   const start = () => {
+    const { plan, path: way } = choice.value.task;
     if (!has3d) chooseView("plan");
-    app.requestTrial({ floorplan: task.plan.name, path: task.path.name });
+    app.requestTrial({ floorplan: plan.name, path: way.name });
   };
-  whenOther(app, ["trial", "everything"], { proposal, isRunning: false }, readWhatIsNext, signal);
-  const foot = h("div", { class: "foot" });
-  /** @param {EquipmentView} now @param {ObstacleView | null} obstacle what the start of a trial would be refused for */
-  const drawFoot = (now, obstacle) => {
-    const hadFocus = foot.contains(document.activeElement);
-    put(
-      foot,
-      h(
-        "span",
-        { class: "grow" },
-        bodyWords(now, obstacle),
-        " ",
-        mayDrive &&
-          !obstacle &&
-          now.shirt?.kind === "simulator" &&
-          h("a", { class: "btn bare small", href: "#/shirt" }, t("drive-body-change")),
-      ),
-      h("a", { class: "btn", href: taskLink("tasks", task) }, t("drive-choose")),
-      mayDrive && mainButton(now, obstacle, start, has3d),
-    );
-    if (hadFocus) /** @type {HTMLElement | null} */ (foot.querySelector(".btn.go"))?.focus();
-  };
-  let shown = app.session?.obstacle ?? null;
-  const followObstacle = async () => {
-    const obstacle = app.session?.obstacle ?? null;
-    if (!isOther(obstacle, shown)) return;
-    shown = obstacle;
-    const now = await app.api.get("/equipment").catch(() => equipment);
-    if (!signal.aborted && shown === obstacle) drawFoot(now, obstacle);
-  };
-  drawFoot(equipment, shown);
-  app.addEventListener("session", followObstacle, { signal });
-  put(
-    root,
+  const state = { choice, equipment, screens, obstacle };
+  return { app, left, patient, mayDrive, has3d, dynamics: chairs.dynamics, ...state, start };
+}
+
+/** @param {{store: TaskStore}} page */
+function Page({ store: { app, left, patient, mayDrive, has3d, dynamics, choice, screens } }) {
+  const { task, reason } = choice.value;
+  return h(
+    Fragment,
+    {},
+    h("h1", { tabindex: -1 }, t("drive-title")),
+    h("p", { class: "lead" }, t(`drive-why-${reason}`)),
+    !has3d && h("p", { class: "card no-view", role: "status" }, t("picture-choose")),
     h(
-      "div",
-      { class: "body" },
-      h("h1", { tabindex: "-1" }, t("drive-title")),
-      h("p", { class: "lead" }, t(`drive-why-${chosen ? "chosen" : proposal.reason}`)),
-      !has3d && h("p", { class: "card no-view", role: "status" }, t("picture-choose")),
-      taskCard(app, task, signal),
-      warningsPlace(app, patient.id, signal),
-      h(
-        "nav",
-        { class: "drive-places", "aria-label": t("drive-places") },
-        placeLink("test", "#/interface_test", h("span", {}, t("drive-place-test-state"))),
-        placeLink("chair", taskLink("chairs", task), h("span", {}, t(`drive-place-chair-${chairs.dynamics}`))),
-        screens && placeLink("screen", taskLink("screen", task), screenState(app, screens, signal)),
-        mayDrive && placeLink("plans", "#/plans", h("span", {}, t("drive-place-plans-state"))),
-      ),
+      "section",
+      { class: "card task-card" },
+      h("div", { class: "words" }, h("h2", {}, task.path.title), h("p", { class: "quiet" }, taskWords(task))),
+      h(PlanPlace, { app, task, left }),
     ),
-    foot,
+    h(Made, { left, make: (gone) => warningsPlace(app, patient, gone) }),
+    h(
+      "nav",
+      { class: "drive-places", "aria-label": t("drive-places") },
+      placeLink("test", "#/interface_test", h("span", {}, t("drive-place-test-state"))),
+      placeLink("chair", taskLink("chairs", task), h("span", {}, t(`drive-place-chair-${dynamics}`))),
+      screens.value && placeLink("screen", taskLink("screen", task), screenState(screens.value)),
+      mayDrive && placeLink("plans", "#/plans", h("span", {}, t("drive-place-plans-state"))),
+    ),
   );
 }
 
-/**
- * Show the page anew when, after news, something is read that differs from what is shown.
- * @template T @param {App} app @param {string[]} news names of what changes it @param {T} shown
- * @param {() => Promise<T>} read @param {AbortSignal} signal
- */
-function whenOther(app, news, shown, read, signal) {
-  const look = async () => {
-    const now = await read().catch(() => shown);
-    if (!signal.aborted && isOther(now, shown)) app.show();
-  };
-  app.live.addEventListener("changed", ({ detail }) => news.includes(detail) && look(), { signal });
-}
-
-/** @param {unknown} now @param {unknown} shown */
-const isOther = (now, shown) => JSON.stringify(now) !== JSON.stringify(shown);
-
-/**
- * The start of the trial, or the way to what it lacks.
- * @param {EquipmentView} equipment @param {ObstacleView | null} obstacle @param {() => void} start @param {boolean} has3d
- */
-function mainButton({ shirt }, obstacle, start, has3d) {
-  const way = wayBeforeDriving(shirt, obstacle);
-  if (way) return h("a", { class: "btn go large", href: way.href }, way.go);
-  return h(
-    "button",
-    { type: "button", class: "btn go large", onclick: start },
-    t(has3d ? "drive-start" : "drive-start-plan"),
-  );
-}
-
-/** The task: its name, where it is, and its way over the plan. @param {App} app @param {Task} task @param {AbortSignal} signal */
-function taskCard(app, task, signal) {
-  const picture = h("div", { class: "plan-place" });
-  app.api
-    .get(`/floorplans/${task.plan.name}`)
-    .then((plan) => {
-      const request = plan.paths.find(({ name }) => name === task.path.name);
-      if (signal.aborted || !request) return;
-      const label = t("drive-plan-label", { plan: plan.title, path: request.title });
-      put(picture, planPicture(plan, request.points, { label, request }).element);
-    })
-    .catch(() => {}); // the start of the trial says what is wrong with the plan
-  return h(
-    "section",
-    { class: "card task-card" },
-    h("div", { class: "words" }, h("h2", {}, task.path.title), h("p", { class: "quiet" }, taskWords(task))),
-    picture,
-  );
-}
-
-/** @param {"test" | "chair" | "screen" | "plans"} name @param {string} href @param {HTMLElement} state */
+/** @param {"test" | "chair" | "screen" | "plans"} name @param {string} href @param {VNode<any>} state */
 function placeLink(name, href, state) {
   return h("a", { class: "card", href }, h("b", {}, t(`drive-place-${name}`)), state);
 }
 
-/** How many screens the patient has, and whether each has a picture to drive by. @param {App} app @param {ScreensView} read @param {AbortSignal} signal */
-function screenState(app, read, signal) {
-  const state = h("span", {});
-  /** @param {ScreensView} now */
-  const show = ({ screens }) => {
-    const { words, isBad } = screenWords(screens);
-    state.className = isBad ? "att" : "";
-    write(state, words);
-  };
-  show(read);
-  const again = () => app.api.get("/patient-screen").then(show, () => {});
-  app.live.addEventListener("changed", ({ detail }) => ["screens", "everything"].includes(detail) && again(), {
-    signal,
-  });
-  return state;
+/** How many screens the patient has, and whether each has a picture to drive by. @param {ScreensView} view */
+function screenState({ screens }) {
+  const { words, isBad } = screenWords(screens);
+  return h("span", { class: isBad ? "att" : undefined }, words);
 }
 
-/** @param {EquipmentView} equipment @param {ObstacleView | null} obstacle */
-function bodyWords({ shirt, body }, obstacle) {
-  const way = wayBeforeDriving(shirt, obstacle);
-  if (way || !shirt) return h("b", {}, way?.message);
-  if (shirt.kind !== "simulator" || !body) return t("drive-body-patient");
+/** Who moves, the way to another task, the start of the trial or what it lacks. @param {{store: TaskStore}} foot */
+function Foot({ store }) {
+  const { choice, equipment, obstacle, mayDrive } = store;
+  /** @type {HTMLElement | null} */
+  let main = null;
+  const setMain = (/** @type {HTMLElement | null} */ element) => void (main = element);
+  const hadFocus = isFocusInFoot();
+  useLayoutEffect(() => {
+    if (hadFocus && !isFocusInFoot()) main?.focus(); // what had it was replaced
+  });
+  const { shirt } = equipment.value;
+  const way = wayBeforeDriving(shirt, obstacle.value);
+  return h(
+    Fragment,
+    {},
+    h(
+      "span",
+      { class: "grow" },
+      way ? h("b", {}, way.message) : bodyWords(equipment.value),
+      " ",
+      mayDrive &&
+        !obstacle.value &&
+        shirt?.kind === "simulator" &&
+        h("a", { class: "btn bare small", href: "#/shirt" }, t("drive-body-change")),
+    ),
+    h("a", { class: "btn", href: taskLink("tasks", choice.value.task) }, t("drive-choose")),
+    mayDrive && way && h("a", { class: "btn go large", href: way.href, ref: setMain }, way.go),
+    mayDrive &&
+      !way &&
+      h(
+        "button",
+        { type: "button", class: "btn go large", ref: setMain, onClick: store.start },
+        t(store.has3d ? "drive-start" : "drive-start-plan"),
+      ),
+  );
+}
+
+const isFocusInFoot = () => Boolean(document.activeElement?.closest(".foot"));
+
+/** @param {EquipmentView} equipment */
+function bodyWords({ shirt, body }) {
+  if (shirt?.kind !== "simulator" || !body) return t("drive-body-patient");
   return t(body.kind === "person" ? `drive-body-person-${body.skill}` : `drive-body-${body.kind}`);
 }

@@ -5,7 +5,7 @@
  * @import { ShirtStore } from "./store.js"
  */
 import { BodyCard, HeadCard, SourceCard } from "./equipment_cards.js";
-import { drawPage, Fragment, h, render } from "../../preact.js";
+import { drawFoot, drawPage, Fragment, h } from "../../preact.js";
 import { jointStrips } from "../../charts/joint_strips.js";
 import { jointWithin } from "../../widgets/joint_words.js";
 import { BodyLamps, LampPicture, QUALITIES } from "./lamps.js";
@@ -24,10 +24,7 @@ export async function show(app, root, { signal: left }) {
   if (left.aborted) return;
   const store = shirtStore(app, view, /** @type {ShirtKind[]} */ (kinds), left);
   drawPage(root, h(Page, { store, isShirtFirst: view.shirt !== null }));
-  const foot = document.createElement("div");
-  foot.className = "foot";
-  root.append(foot);
-  render(h(Foot, { store }), foot);
+  drawFoot(root, h(Foot, { store }));
 }
 
 /** @param {{store: ShirtStore, isShirtFirst: boolean}} page isShirtFirst: otherwise the cards are on the first side */
