@@ -5,6 +5,7 @@
 /** @template Props @typedef {import("../vendor/preact/preact.js").VNode<Props>} VNode */
 /** @template Element @typedef {import("../vendor/preact/preact.js").Ref<Element>} Ref */
 /** @template Value @typedef {import("../vendor/@preact/signals/signals.js").ReadonlySignal<Value>} ReadonlySignal */
+/** @template Value @typedef {import("../vendor/@preact/signals/signals.js").Signal<Value>} Signal */
 import { useLayoutEffect, useRef } from "../vendor/preact/hooks.js";
 import { Fragment, h, render } from "../vendor/preact/preact.js";
 

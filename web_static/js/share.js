@@ -2,6 +2,7 @@
  * The page that a share link opens: a PIN, then the story and the figures of one patient. One answer holds all of it.
  * @import { SharedView, StoryView, TaskLearning } from "types/api"
  */
+import { Fragment, h as draw, render } from "./preact.js";
 import { t } from "./texts.js";
 import { areaCurve } from "./charts/area_curve.js";
 import { day, number } from "./widgets/format.js";
@@ -9,7 +10,7 @@ import { h, put, s } from "./widgets/dom.js";
 import { icon } from "./widgets/icons.js";
 import { followSystem } from "./shell/theme.js";
 import { comparable, measureNames, nameOf, REACHED } from "./results/measures.js";
-import { storyParts } from "./results/story.js";
+import { Story } from "./results/story.js";
 import { readReference, REFERENCE } from "./reference.js";
 
 const HERE = "/api/v1/shared";
@@ -176,7 +177,10 @@ function lines(all, first) {
 
 /** @param {StoryView} story */
 function storyCard(story) {
-  return h("section", {}, h("h2", {}, t("share-session", { number: story.number })), storyParts(story));
+  const card = h("section");
+  const heading = draw("h2", {}, t("share-session", { number: story.number }));
+  render(draw(Fragment, {}, heading, draw(Story, { story })), card);
+  return card;
 }
 
 followSystem();

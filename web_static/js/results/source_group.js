@@ -3,6 +3,7 @@
  * @typedef {"worn" | "simulated" | "unknown"} SourceGroup
  * @typedef {{source: {simulated: boolean | null}}} WithSource a trial, as far as its group goes
  */
+import { h as draw } from "../preact.js";
 import { t } from "../texts.js";
 import { h } from "../widgets/dom.js";
 import { field, selection } from "../widgets/fields.js";
@@ -25,6 +26,21 @@ export function firstGroup(trials) {
 /** A sign for trials that nobody drove by their own movements; null for worn ones. @param {SourceGroup} group */
 export function groupMark(group) {
   return group === "worn" ? null : h("span", { class: "tag source-mark" }, t(`source-group-${group}`));
+}
+
+/** The same sign as a component. @param {{group: SourceGroup}} mark */
+export function GroupMark({ group }) {
+  return group === "worn" ? null : draw("span", { class: "tag source-mark" }, t(`source-group-${group}`));
+}
+
+/**
+ * The cell of a table that names the source of a trial or test.
+ * @param {{of: {source: {simulated: boolean | null, description: string}}}} cell
+ */
+export function SourceCell({ of }) {
+  const group = groupOf(of);
+  const mark = group === "worn" ? t("source-group-worn") : draw(GroupMark, { group });
+  return draw("td", { title: of.source.description }, mark);
 }
 
 /**

@@ -1,9 +1,10 @@
 /**
  * A session as a story: what was done, what changed and what was said. For people who sign in, and for a share link.
  * @import { StoryView, EventView } from "types/api"
+ * @typedef {(trial: number) => string} ReplayAddress address of the replay of a trial
  */
+import { Fragment, h } from "../preact.js";
 import { t, hasText } from "../texts.js";
-import { h } from "../widgets/dom.js";
 import { day, minuteOfDay, number } from "../widgets/format.js";
 import { interruptionWords } from "./interruptions.js";
 import { originWords } from "./origin_words.js";
@@ -12,11 +13,12 @@ const SAID = ["note", "comment", "unlock"]; // kinds of events with words of a p
 
 /**
  * What stands below the heading of a story.
- * @param {StoryView} story
- * @param {(trial: number) => string} [replay] address of the replay of a trial; a share link opens none
+ * @param {{story: StoryView, replay?: ReplayAddress}} story replay: a share link opens none
  */
-export function storyParts({ goal, scales, is_signed: isSigned, origin, events }, replay) {
-  return [
+export function Story({ story: { goal, scales, is_signed: isSigned, origin, events }, replay }) {
+  return h(
+    Fragment,
+    {},
     h("p", { class: "quiet" }, t(isSigned ? "share-signed" : "share-unsigned")),
     origin && h("p", { class: "quiet" }, originWords(origin)),
     goal && h("p", { class: "own-words" }, `${t("share-goal")}: ${goal}`),
@@ -29,13 +31,20 @@ export function storyParts({ goal, scales, is_signed: isSigned, origin, events }
     h(
       "ol",
       { class: "story" },
-      events.map((event, i) => eventLine(event, replay, day(event.at) !== day(events[i - 1]?.at ?? null))),
+      events.map((event, i) =>
+        h(EventLine, {
+          key: `${event.kind} ${event.at}`,
+          event,
+          replay,
+          isNewDay: day(event.at) !== day(events[i - 1]?.at ?? null),
+        }),
+      ),
     ),
-  ];
+  );
 }
 
-/** @param {EventView} event @param {((trial: number) => string) | undefined} replay @param {boolean} isNewDay */
-function eventLine({ at, kind, person, text, facts }, replay, isNewDay) {
+/** @param {{event: EventView, replay?: ReplayAddress, isNewDay: boolean}} line */
+function EventLine({ event: { at, kind, person, text, facts }, replay, isNewDay }) {
   const end = hasText(`review-end-${facts.end}`) ? t(`review-end-${facts.end}`) : "";
   const seconds = typeof facts.t === "number" ? number(facts.t, 1) : "";
   const title = t(`share-event-${kind}`, { ...facts, count: Number(facts.recordings), t: seconds, text, end });

@@ -3,6 +3,7 @@
  * @import { TrialVerdicts, Verdict } from "types/api"
  * @typedef {{words: string, arrow: string, amount: string, noise: string, tone: "good" | "bad" | ""}} VerdictWords
  */
+import { h as draw } from "../preact.js";
 import { REFERENCE } from "../reference.js";
 import { t } from "../texts.js";
 import { h } from "../widgets/dom.js";
@@ -51,6 +52,14 @@ export function isFamiliarisation(found, trial) {
 
 /** What noise is, and that nobody has published a limit for it. */
 export function noiseNote() {
-  const sentences = ["means", "chance", "missed", "unpublished"].map((name) => t(`verdict-${name}`));
-  return h("p", { class: "quiet small noise-note" }, sentences.join(" "));
+  return h("p", { class: "quiet small noise-note" }, noiseWords());
+}
+
+/** The same as a component. */
+export function NoiseNote() {
+  return draw("p", { class: "quiet small noise-note" }, noiseWords());
+}
+
+function noiseWords() {
+  return ["means", "chance", "missed", "unpublished"].map((name) => t(`verdict-${name}`)).join(" ");
 }

@@ -25,3 +25,20 @@ export function ScrollTable({ label, kind, children }) {
     draw("table", { class: kind }, children),
   );
 }
+
+/**
+ * The head of a table, a cell for each of its columns.
+ * @param {{columns: string[], children?: ComponentChildren}} head children: further cells
+ */
+export function TableHead({ columns, children }) {
+  return draw(
+    "thead",
+    {},
+    draw(
+      "tr",
+      {},
+      columns.map((words) => draw("th", { key: words, scope: "col" }, words)),
+      children,
+    ),
+  );
+}

@@ -1,73 +1,70 @@
 /**
  * What was driven in a session: trials that count and those left out with their reason, calibrations and parameters.
- * @import { SessionRecordView, SessionTrial, UsedSetView } from "types/api"
- * @import { UnreadMark } from "../../results/unread_marks.js"
+ * @import { CommentView, SessionRecordView, SessionTrial, UsedSetView } from "types/api"
+ * @import { ReadonlySignal } from "../../preact.js"
  */
-import { testTable } from "../../interface_test/test_table.js";
-import { interruptionMark } from "../../results/interruptions.js";
-import { groupMark, groupOf } from "../../results/source_group.js";
+import { TestTable } from "../../interface_test/test_table.js";
+import { Fragment, h } from "../../preact.js";
+import { interruptionWords } from "../../results/interruptions.js";
+import { SourceCell } from "../../results/source_group.js";
+import { UnreadCount } from "../../results/unread_marks.js";
 import { t } from "../../texts.js";
-import { h } from "../../widgets/dom.js";
-import { scrollTable } from "../../widgets/scroll_table.js";
+import { ScrollTable, TableHead } from "../../widgets/scroll_table.js";
 
-/** @param {SessionRecordView} record @param {UnreadMark} unread */
-export function drivenCard({ patient_id: patient, trials, drives, tests, sets }, unread) {
+/** @param {{record: SessionRecordView, unread: ReadonlySignal<CommentView[]>}} card */
+export function DrivenCard({ record: { patient_id: patient, trials, drives, tests, sets }, unread }) {
   const isEmpty = !trials.length && !drives.length && !tests.length;
+  const columns = [
+    ...[t("record-driven-task"), t("review-column-end")],
+    ...[t("review-column-source"), t("record-driven-kept")],
+  ];
   return h(
     "section",
     { class: "card stack" },
     h("h2", {}, t("record-driven")),
     isEmpty && h("p", { class: "quiet" }, t("record-driven-none")),
-    trials.length > 0 && trialTable(patient, trials, unread),
+    trials.length > 0 &&
+      h(
+        ScrollTable,
+        { label: t("record-driven"), kind: "measures trials" },
+        h(TableHead, { columns }),
+        h(
+          "tbody",
+          {},
+          trials.map((trial) => h(TrialRow, { key: trial.id, patient, trial, unread })),
+        ),
+      ),
     drives.length > 0 && h("p", {}, t("record-driven-drives", { count: drives.length })),
-    tests.length > 0 && [h("h3", {}, t("record-tests")), testTable(tests)],
-    sets.length > 0 && [h("h3", {}, t("record-sets")), h("ul", { class: "sets-of-session" }, sets.map(setLine))],
+    tests.length > 0 && h(Fragment, {}, h("h3", {}, t("record-tests")), h(TestTable, { tests })),
+    sets.length > 0 &&
+      h(Fragment, {}, h("h3", {}, t("record-sets")), h("ul", { class: "sets-of-session" }, sets.map(setLine))),
   );
 }
 
-/** @param {number} patient id @param {SessionTrial[]} trials @param {UnreadMark} unread */
-function trialTable(patient, trials, unread) {
-  /** @param {SessionTrial} trial */
-  const row = (trial) =>
+/** @param {{patient: number, trial: SessionTrial, unread: ReadonlySignal<CommentView[]>}} row patient: id */
+function TrialRow({ patient, trial, unread }) {
+  const { id, number, floorplan_title: plan, end, kept, discard_reason: reason, measures } = trial;
+  const interruptions = interruptionWords(measures);
+  return h(
+    "tr",
+    { class: kept ? undefined : "discarded" },
     h(
-      "tr",
-      { class: trial.kept ? null : "discarded" },
+      "th",
+      { scope: "row" },
       h(
-        "th",
-        { scope: "row" },
-        h(
-          "a",
-          { class: "row-link", href: `#/review/${patient}/trial/${trial.id}` },
-          t("record-driven-trial", { plan: trial.floorplan_title, number: trial.number }),
-        ),
-        unread({ trial_id: trial.id }),
+        "a",
+        { class: "row-link", href: `#/review/${patient}/trial/${id}` },
+        t("record-driven-trial", { plan, number }),
       ),
-      h("td", {}, t(`review-end-${trial.end}`), interruptionMark(trial.measures)),
-      h("td", { title: trial.source.description }, groupMark(groupOf(trial)) ?? t("source-group-worn")),
-      h(
-        "td",
-        {},
-        h(
-          "div",
-          { class: "sentence" },
-          trial.kept ? t("record-driven-counts") : t("record-driven-discarded", { reason: trial.discard_reason }),
-        ),
-      ),
-    );
-  const head = [t("record-driven-task"), t("review-column-end"), t("review-column-source"), t("record-driven-kept")];
-  return scrollTable(
-    t("record-driven"),
-    "measures trials",
-    h(
-      "thead",
-      {},
-      h(
-        "tr",
-        {},
-        head.map((words) => h("th", { scope: "col" }, words)),
-      ),
+      h(UnreadCount, { comments: unread, about: { trial_id: id } }),
     ),
-    h("tbody", {}, trials.map(row)),
+    h("td", {}, t(`review-end-${end}`), interruptions && h("div", { class: "quiet small sentence" }, interruptions)),
+    h(SourceCell, { of: trial }),
+    h(
+      "td",
+      {},
+      h("div", { class: "sentence" }, kept ? t("record-driven-counts") : t("record-driven-discarded", { reason })),
+    ),
   );
 }
 
@@ -75,7 +72,7 @@ function trialTable(patient, trials, unread) {
 function setLine({ version, title, hash }) {
   return h(
     "li",
-    {},
+    { key: `${version} ${hash}` },
     t("record-set", { version, title }),
     h(
       "details",

@@ -1,101 +1,129 @@
 /**
  * The notes of a session: each with who wrote it and when, its earlier texts, and a form for another text.
- * @import { NoteView, SessionRecordView } from "types/api"
+ * @import { NoteView } from "types/api"
+ * @import { RecordStore } from "./store.js"
  */
+import { focusFirst, h, useLayoutEffect, useRef, useSignal } from "../../preact.js";
 import { limitsOf } from "../../reference.js";
 import { t } from "../../texts.js";
-import { h, put } from "../../widgets/dom.js";
+import { Field } from "../../widgets/fields.js";
 import { moment } from "../../widgets/format.js";
-import { textForm } from "../../widgets/fields.js";
 
-/** @param {import("../../main.js").App} app @param {() => SessionRecordView} now @param {import("./session.js").Writing} writing */
-export function notesCard(app, now, { mayChange, change }) {
-  const list = h("div", { class: "stack notes-of-session" });
-  const { id } = now();
-  const draw = () => {
-    const { notes } = now();
-    put(list, notes.length ? notes.map(row) : h("p", { class: "quiet" }, t("record-notes-none")));
+/** @param {{store: RecordStore}} card */
+export function NotesCard({ store }) {
+  const { app, record, mayChange, change } = store;
+  const { id, notes } = record.value;
+  return h(
+    "section",
+    { class: "card stack" },
+    h("h2", {}, t("record-notes")),
+    h(
+      "div",
+      { class: "stack notes-of-session" },
+      notes.map((note) => h(Note, { key: note.id, note, store })),
+      !notes.length && h("p", { class: "quiet" }, t("record-notes-none")),
+    ),
+    h(NoteForm, {
+      label: t("record-note-new"),
+      action: t("record-note-add"),
+      isOffered: mayChange.value,
+      send: (text) => change(() => app.api.post(`/sessions/${id}/notes`, { text })),
+    }),
+  );
+}
+
+/** @param {{note: NoteView, store: RecordStore}} row */
+function Note({ note: { id, revisions }, store: { app, record, mayChange, change } }) {
+  const isRevised = useSignal(false);
+  const wasRevised = useRef(false);
+  const [newest, ...earlier] = revisions;
+  const when = { person: newest.person, moment: moment(newest.written) };
+  const revise = () => (isRevised.value = wasRevised.current = true);
+  const close = () => void (isRevised.value = false);
+  /** @param {string} text */
+  const send = async (text) => {
+    const isDone = await change(() => app.api.put(`/sessions/${record.value.id}/notes/${id}`, { text }));
+    if (isDone) close();
+    return isDone;
   };
-  /** @param {NoteView} note */
-  const row = (note) => {
-    const [newest, ...earlier] = note.revisions;
-    const by = t(earlier.length ? "record-note-revised" : "record-note-by", {
-      person: newest.person,
-      moment: moment(newest.written),
-    });
-    const element = h("article", { class: "note-of-session" });
-    const label = t("record-note-revise-label", { person: newest.person, moment: moment(newest.written) });
-    const revise = () => {
-      const send = async (/** @type {string} */ text) => {
-        if (!(await change(() => app.api.put(`/sessions/${id}/notes/${note.id}`, { text })))) return;
-        draw();
-        /** @type {HTMLElement} */ (list.children[now().notes.findIndex((one) => one.id === note.id)])
-          .querySelector("button")
-          ?.focus();
-      };
-      const action = t("record-note-save");
-      put(
-        element,
-        textForm({
-          label: t("record-note-text"),
-          text: newest.text,
-          action,
-          longest: limitsOf("NoteText", "text").longest ?? Infinity,
-          send,
-          onClose: draw,
-        }),
-      );
-      element.querySelector("textarea")?.focus();
-    };
-    return put(
-      element,
-      h("p", { class: "own-words" }, newest.text),
+  if (isRevised.value) {
+    const [label, action] = [t("record-note-text"), t("record-note-save")];
+    const form = h(NoteForm, { label, text: newest.text, action, isOffered: true, send, onClose: close });
+    return h("article", { class: "note-of-session" }, form);
+  }
+  const button = {
+    type: /** @type {const} */ ("button"),
+    class: "btn small",
+    "aria-label": t("record-note-revise-label", when),
+    ref: wasRevised.current ? focusFirst : null, // it has the focus again when the form closes
+    onClick: revise,
+  };
+  return h(
+    "article",
+    { class: "note-of-session" },
+    h("p", { class: "own-words" }, newest.text),
+    h(
+      "div",
+      { class: "spread" },
+      h("span", { class: "quiet small grow" }, t(earlier.length ? "record-note-revised" : "record-note-by", when)),
+      mayChange.value && h("button", button, t("record-note-revise")),
+    ),
+    earlier.length > 0 &&
       h(
-        "div",
-        { class: "spread" },
-        h("span", { class: "quiet small grow" }, by),
-        mayChange &&
+        "details",
+        {},
+        h("summary", {}, t("record-note-history", { count: earlier.length })),
+        earlier.map(({ text, person, written }) =>
           h(
-            "button",
-            { type: "button", class: "btn small", "aria-label": label, onclick: revise },
-            t("record-note-revise"),
-          ),
-      ),
-      earlier.length > 0 &&
-        h(
-          "details",
-          {},
-          h("summary", {}, t("record-note-history", { count: earlier.length })),
-          earlier.map(({ text, person, written }) =>
-            h(
-              "div",
-              { class: "earlier-text" },
-              h("p", { class: "own-words" }, text),
-              h("p", { class: "quiet small" }, t("record-note-by", { person, moment: moment(written) })),
-            ),
+            "div",
+            { class: "earlier-text", key: written },
+            h("p", { class: "own-words" }, text),
+            h("p", { class: "quiet small" }, t("record-note-by", { person, moment: moment(written) })),
           ),
         ),
-    );
+      ),
+  );
+}
+
+/**
+ * @param {object} form
+ * @param {string} form.label @param {string} [form.text] before
+ * @param {string} form.action words of the button that sends
+ * @param {boolean} form.isOffered otherwise the form stays only as long as something is typed in it
+ * @param {(text: string) => Promise<boolean>} form.send called with a text that is not empty
+ * @param {() => void} [form.onClose] of a form that was opened; without it the form stays
+ */
+function NoteForm({ label, text = "", action, isOffered, send, onClose }) {
+  const draft = useSignal(text);
+  const input = useRef(/** @type {HTMLTextAreaElement | null} */ (null));
+  useLayoutEffect(() => {
+    if (onClose) input.current?.focus();
+  }, []);
+  if (!isOffered && !draft.value) return null;
+  /** @param {{currentTarget: HTMLTextAreaElement}} event */
+  const type = ({ currentTarget }) => (draft.value = currentTarget.value);
+  /** @param {SubmitEvent} event */
+  const submit = async (event) => {
+    event.preventDefault();
+    const written = draft.value.trim();
+    if (!written || !(await send(written)) || onClose) return;
+    draft.value = "";
+    input.current?.focus();
   };
-  const place = h("div", {});
-  const newForm = () => {
-    const send = async (/** @type {string} */ text) => {
-      if (!(await change(() => app.api.post(`/sessions/${id}/notes`, { text })))) return;
-      draw();
-      newForm();
-      place.querySelector("textarea")?.focus();
-    };
-    put(
-      place,
-      textForm({
-        label: t("record-note-new"),
-        action: t("record-note-add"),
-        longest: limitsOf("NoteText", "text").longest ?? Infinity,
-        send,
-      }),
-    );
-  };
-  draw();
-  if (mayChange) newForm();
-  return h("section", { class: "card stack" }, h("h2", {}, t("record-notes")), list, place);
+  const { longest } = limitsOf("NoteText", "text");
+  return h(
+    "form",
+    { class: "stack", onSubmit: submit },
+    h(
+      Field,
+      { label },
+      h("textarea", { rows: 3, maxlength: longest, required: true, ref: input, value: draft.value, onInput: type }),
+    ),
+    h(
+      "div",
+      { class: "spread" },
+      h("button", { class: "btn" }, action),
+      onClose && h("button", { type: "button", class: "btn", onClick: onClose }, t("cancel")),
+    ),
+  );
 }

@@ -1,81 +1,110 @@
 /**
- * The sessions of a patient, of which two can be compared, the consents, and what leaves the clinic: share links, exports.
- * @import { ConsentsView, SessionRow } from "types/api"
+ * The sessions of a patient, of which two can be compared, the consents, and what leaves the clinic: links, exports.
+ * @import { CommentView, ConsentsView, SessionRow, SharesView } from "types/api"
+ * @import { ReadonlySignal, Signal } from "../../preact.js"
  */
+import { newestAnswer } from "../../live/newest_answer.js";
+import { Fragment, h, useSignal } from "../../preact.js";
 import { t } from "../../texts.js";
-import { h, put, set, write } from "../../widgets/dom.js";
 import { moment } from "../../widgets/format.js";
-import { rowList } from "../../widgets/list.js";
-import { consentsCard } from "./consents_card.js";
-import { exportCard } from "./export_card.js";
-import { stateTag } from "./session.js";
+import { ConsentsCard } from "./consents_card.js";
+import { ExportCard } from "./export_card.js";
+import { drawWithLinks, StateTag } from "./frame.js";
 import { mayExport } from "../../results/report_choice.js";
 import { originWords } from "../../results/origin_words.js";
-import { unreadMarks } from "../../results/unread_marks.js";
-import { shareCard } from "./share_card.js";
+import { UnreadCount, unreadComments } from "../../results/unread_marks.js";
+import { ShareCard } from "./share_card.js";
 
 /** @param {import("../../main.js").App} app @param {HTMLElement} root @param {{signal: AbortSignal, rest: string[]}} page */
-export async function show(app, root, { signal, rest: [, patient, part] }) {
+export async function show(app, root, { signal: left, rest: [, patient, part] }) {
   const id = Number(patient);
-  const [sessions, consents, shares, unread] = await Promise.all([
+  const askShares = () => app.api.get(`/patients/${id}/shares`);
+  const [sessions, consents, links, unread] = await Promise.all([
     app.api.get(`/patients/${id}/sessions`),
     app.api.get(`/patients/${id}/consents`),
-    mayExport(app) ? app.api.get(`/patients/${id}/shares`) : null,
-    unreadMarks(app, id, signal),
+    mayExport(app) ? askShares() : null,
+    unreadComments(app, id, left),
   ]);
-  if (signal.aborted) return;
-  const choice = sessionChoice();
-  const leaves = h("div", { class: "leaves" });
-  const sharing = shares && sessions.length > 0 ? shareCard(app, consents, sessions, shares, signal) : null;
-  /** @param {ConsentsView} now */
-  const offer = (now) => {
-    put(leaves, exportCard(app, now, sessions));
-    sharing?.setConsents(now);
-  };
-  offer(consents);
-  const list = rowList("people");
-  list.show(
-    sessions.map((session) => row(session, choice.box(session), unread({ session_id: session.id }))),
-    h("p", { class: "card quiet" }, t("record-sessions-none")),
-  );
-  put(
-    root,
-    h(
-      "div",
-      { class: "body session-record" },
-      h("h1", { tabindex: "-1" }, t("record-sessions", { code: consents.code })),
-      h("p", { class: "lead" }, t("record-sessions-lead")),
-      consentsCard(app, consents, offer),
-      list,
-      sessions.length > 1 && choice.element,
-      sharing?.element,
-      leaves,
-    ),
-    h(
-      "div",
-      { class: "foot" },
-      h("span", { class: "grow" }),
-      h("a", { class: "btn", href: `#/review/${id}` }, t("rail-review")),
-    ),
-  );
-  if (part === "compare") list.scrollIntoView(); // the consents stand above
+  if (left.aborted) return;
+  const shares = links && newestAnswer(app, left, links, askShares, ["shares", "everything"]);
+  drawWithLinks(root, h(Page, { app, left, sessions, first: consents, shares, unread }), {
+    [`#/review/${id}`]: t("rail-review"),
+  });
+  if (part === "compare") root.querySelector(".people")?.scrollIntoView(); // the consents stand above
 }
 
-/** @param {SessionRow} session @param {HTMLElement} box @param {HTMLElement} unread its mark */
-function row(session, box, unread) {
+/**
+ * @param {object} page
+ * @param {import("../../main.js").App} page.app @param {AbortSignal} page.left @param {SessionRow[]} page.sessions
+ * @param {ConsentsView} page.first the consents that were answered
+ * @param {Signal<SharesView> | null} page.shares null without the right to share
+ * @param {ReadonlySignal<CommentView[]>} page.unread
+ */
+function Page({ app, left, sessions, first, shares, unread }) {
+  const consents = useSignal(first);
+  const chosen = useSignal(/** @type {number[]} */ ([])); // ids of the sessions to compare, at most two
+  const { patient_id: patient, code } = first;
+  const isConsented = consents.value.consents.some(({ consent, given }) => consent === "sharing" && given);
+  /** A third session takes the place of the first. @param {number} id @param {boolean} isChosen */
+  const choose = (id, isChosen) => {
+    const others = chosen.value.filter((other) => other !== id);
+    chosen.value = isChosen ? [...others, id].slice(-2) : others;
+  };
+  const shared = { app, left, patient, code, sessions, isConsented };
+  return h(
+    Fragment,
+    {},
+    h("h1", { tabindex: -1 }, t("record-sessions", { code })),
+    h("p", { class: "lead" }, t("record-sessions-lead")),
+    h(ConsentsCard, { app, view: consents.value, onChange: (now) => (consents.value = now) }),
+    h(
+      "div",
+      { class: "people", role: sessions.length ? "list" : undefined },
+      sessions.map((session) =>
+        h(Row, {
+          key: session.id,
+          session,
+          isChosen: chosen.value.includes(session.id),
+          onChoose: (isChosen) => choose(session.id, isChosen),
+          unread,
+        }),
+      ),
+      !sessions.length && h("p", { class: "card quiet" }, t("record-sessions-none")),
+    ),
+    sessions.length > 1 && h(Comparison, { chosen: chosen.value }),
+    shares && sessions.length > 0 && h(ShareCard, { ...shared, shares }),
+    h("div", { class: "leaves" }, mayExport(app) && sessions.length > 0 && h(ExportCard, shared)),
+  );
+}
+
+/**
+ * @param {object} row
+ * @param {SessionRow} row.session @param {boolean} row.isChosen @param {(isChosen: boolean) => void} row.onChoose
+ * @param {ReadonlySignal<CommentView[]>} row.unread
+ */
+function Row({ session, isChosen, onChoose, unread }) {
   const { id, number, started, trials, sign_off: signed, origin } = session;
   return h(
     "div",
-    { class: "card person" },
-    box,
+    { class: "card person", role: "listitem" },
+    h(
+      "label",
+      { class: "pick" },
+      h("input", {
+        type: "checkbox",
+        "aria-label": t("record-compare-pick", { number }),
+        checked: isChosen,
+        onChange: ({ currentTarget }) => onChoose(currentTarget.checked),
+      }),
+    ),
     h(
       "div",
       { class: "grow" },
       h("a", { class: "row-link", href: `#/session/${id}` }, t("verdict-session", { number })),
       " ",
-      stateTag(session),
+      h(StateTag, { session }),
       " ",
-      unread,
+      h(UnreadCount, { comments: unread, about: { session_id: id } }),
       h("div", { class: "quiet small" }, `${moment(started)} · ${t("patients-trials", { count: trials })}`),
       origin && h("div", { class: "quiet small" }, originWords(origin)),
       signed &&
@@ -89,38 +118,22 @@ function row(session, box, unread) {
   );
 }
 
-/** A box for each session, and the link that compares the two that are ticked; a third takes the place of the first. */
-function sessionChoice() {
-  /** @type {{id: number, input: HTMLInputElement}[]} */
-  let chosen = [];
-  const link = h("a", { class: "btn", "aria-disabled": "true" }, t("record-compare"));
-  const words = h("span", { class: "quiet", role: "status" }, t("record-compare-choose", { count: 2 }));
-  const draw = () => {
-    const isReady = chosen.length === 2;
-    set(link, {
-      href: isReady
-        ? `#/session/compare/${chosen
-            .map((one) => one.id)
-            .sort((a, b) => a - b)
-            .join("/")}`
-        : null,
-      "aria-disabled": isReady ? null : "true",
-    });
-    write(words, isReady ? "" : t("record-compare-choose", { count: 2 - chosen.length }));
-  };
-  /** @param {SessionRow} session */
-  const box = ({ id, number }) => {
-    const input = h("input", { type: "checkbox", "aria-label": t("record-compare-pick", { number }) });
-    input.addEventListener("change", () => {
-      chosen = chosen.filter((one) => one.id !== id);
-      if (input.checked) chosen.push({ id, input });
-      if (chosen.length > 2) {
-        chosen[0].input.checked = false;
-        chosen = chosen.slice(1);
-      }
-      draw();
-    });
-    return h("label", { class: "pick" }, input);
-  };
-  return { element: h("div", { class: "spread compare-choice" }, link, words), box };
+/** The link that compares two sessions, and how many are still to be ticked. @param {{chosen: number[]}} comparison */
+function Comparison({ chosen }) {
+  const missing = 2 - chosen.length;
+  const pair = [...chosen].sort((a, b) => a - b).join("/");
+  return h(
+    "div",
+    { class: "spread compare-choice" },
+    h(
+      "a",
+      {
+        class: "btn",
+        href: missing ? undefined : `#/session/compare/${pair}`,
+        "aria-disabled": missing > 0 || undefined,
+      },
+      t("record-compare"),
+    ),
+    h("span", { class: "quiet", role: "status" }, missing > 0 && t("record-compare-choose", { count: missing })),
+  );
 }

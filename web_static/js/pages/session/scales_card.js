@@ -1,104 +1,104 @@
 /**
  * The outcome scales of a session: name, total and date of each.
- * @import { ScaleView, SessionRecordView } from "types/api"
+ * @import { ScaleView } from "types/api"
+ * @import { RecordStore } from "./store.js"
  */
+import { h, useRef, useSignal } from "../../preact.js";
 import { textLimits } from "../../reference.js";
 import { t } from "../../texts.js";
-import { h, put } from "../../widgets/dom.js";
-import { field } from "../../widgets/fields.js";
+import { Field } from "../../widgets/fields.js";
 import { day, unrounded } from "../../widgets/format.js";
-import { scrollTable } from "../../widgets/scroll_table.js";
+import { ScrollTable, TableHead } from "../../widgets/scroll_table.js";
 
-/** @param {import("../../main.js").App} app @param {() => SessionRecordView} now @param {import("./session.js").Writing} writing */
-export function scalesCard(app, now, { mayChange, change }) {
-  const { id } = now();
-  const list = h("div", {});
-  /** @param {ScaleView} scale */
-  const row = (scale) =>
-    h(
-      "tr",
-      {},
-      h("th", { scope: "row" }, scale.name),
-      h("td", {}, unrounded(scale.total)),
-      h("td", {}, day(scale.day)),
-      mayChange && h("td", {}, removeButton(scale)),
-    );
-  /** @param {ScaleView} scale */
-  const removeButton = (scale) => {
-    const label = t("record-scale-remove-label", { name: scale.name, day: day(scale.day) });
-    const remove = async () => {
-      if (await change(() => app.api.remove(`/sessions/${id}/scales/${scale.id}`))) draw();
-    };
-    return h(
-      "button",
-      { type: "button", class: "btn small", "aria-label": label, onclick: remove },
-      t("record-scale-remove"),
-    );
-  };
-  const draw = () => {
-    const { scales } = now();
-    const head = [t("record-scale-name"), t("record-scale-total"), t("record-scale-day")];
-    put(
-      list,
-      scales.length === 0
-        ? h("p", { class: "quiet" }, t("record-scales-none"))
-        : scrollTable(
-            t("record-scales"),
-            "measures",
-            h(
-              "thead",
-              {},
-              h(
-                "tr",
-                {},
-                head.map((words) => h("th", { scope: "col" }, words)),
-                mayChange && h("td", {}),
-              ),
-            ),
-            h("tbody", {}, scales.map(row)),
-          ),
-    );
-  };
-  draw();
+/** @param {{store: RecordStore}} card */
+export function ScalesCard({ store }) {
+  const { scales } = store.record.value;
+  const columns = [t("record-scale-name"), t("record-scale-total"), t("record-scale-day")];
   return h(
     "section",
     { class: "card stack" },
     h("h2", {}, t("record-scales")),
-    list,
-    mayChange && newScale(app, id, change, draw),
+    scales.length
+      ? h(
+          ScrollTable,
+          { label: t("record-scales"), kind: "measures" },
+          h(TableHead, { columns }, store.mayChange.value && h("td", {})),
+          h(
+            "tbody",
+            {},
+            scales.map((scale) => h(Row, { key: scale.id, scale, store })),
+          ),
+        )
+      : h("p", { class: "quiet" }, t("record-scales-none")),
+    h(NewScale, { store }),
   );
 }
 
-/** @param {import("../../main.js").App} app @param {number} id of the session @param {import("./session.js").Writing["change"]} change @param {() => void} onAdded */
-function newScale(app, id, change, onAdded) {
-  const name = h("input", { type: "text", required: true, ...textLimits("NewScale", "name"), autocomplete: "off" });
-  const total = h("input", { type: "text", inputmode: "decimal", required: true, autocomplete: "off" });
-  const date = h("input", { type: "date", required: true });
-  date.defaultValue = date.value = today();
-  const problem = h("p", { class: "problem", role: "alert" });
+/** @param {{scale: ScaleView, store: RecordStore}} row */
+function Row({ scale: { id, name, total, day: of }, store: { app, record, mayChange, change } }) {
+  const remove = {
+    type: /** @type {const} */ ("button"),
+    class: "btn small",
+    "aria-label": t("record-scale-remove-label", { name, day: day(of) }),
+    onClick: () => change(() => app.api.remove(`/sessions/${record.value.id}/scales/${id}`)),
+  };
+  return h(
+    "tr",
+    {},
+    h("th", { scope: "row" }, name),
+    h("td", {}, unrounded(total)),
+    h("td", {}, day(of)),
+    mayChange.value && h("td", {}, h("button", remove, t("record-scale-remove"))),
+  );
+}
+
+/** @param {{store: RecordStore}} form */
+function NewScale({ store: { app, record, mayChange, change } }) {
+  const draft = useSignal({ name: "", total: "", day: today() });
+  const problem = useSignal("");
+  const nameInput = useRef(/** @type {HTMLInputElement | null} */ (null));
+  const totalInput = useRef(/** @type {HTMLInputElement | null} */ (null));
+  const { name, total, day: date } = draft.value;
+  if (!mayChange.value && !name && !total) return null;
   /** @param {SubmitEvent} event */
   const submit = async (event) => {
     event.preventDefault();
-    const value = Number(total.value.trim().replace(",", "."));
-    problem.textContent = Number.isFinite(value) ? "" : t("record-scale-total-missing");
-    if (problem.textContent) return total.focus();
-    const scale = { name: name.value.trim(), total: value, day: date.value };
-    if (!(await change(() => app.api.post(`/sessions/${id}/scales`, scale)))) return;
-    for (const input of [name, total]) input.value = "";
-    name.focus();
-    onAdded();
+    const value = Number(total.trim().replace(",", "."));
+    problem.value = Number.isFinite(value) ? "" : t("record-scale-total-missing");
+    if (problem.value) return totalInput.current?.focus();
+    const scale = { name: name.trim(), total: value, day: date };
+    if (!(await change(() => app.api.post(`/sessions/${record.value.id}/scales`, scale)))) return;
+    draft.value = { ...draft.value, name: "", total: "" };
+    nameInput.current?.focus();
   };
+  /** The attributes that tie an input to the draft. @param {keyof typeof draft.value} part */
+  const tied = (part) => ({
+    required: true,
+    value: draft.value[part],
+    onInput: (/** @type {Event} */ { currentTarget }) => {
+      draft.value = { ...draft.value, [part]: /** @type {HTMLInputElement} */ (currentTarget).value };
+    },
+  });
+  const text = { type: /** @type {const} */ ("text"), autocomplete: /** @type {const} */ ("off") };
   return h(
     "form",
-    { class: "stack", onsubmit: submit },
+    { class: "stack", onSubmit: submit },
     h(
       "div",
       { class: "columns" },
-      field(t("record-scale-name"), name, t("record-scale-name-hint")),
-      field(t("record-scale-total"), total, t("record-scale-total-hint")),
-      field(t("record-scale-day"), date),
+      h(
+        Field,
+        { label: t("record-scale-name"), hint: t("record-scale-name-hint") },
+        h("input", { ...text, ...textLimits("NewScale", "name"), ref: nameInput, ...tied("name") }),
+      ),
+      h(
+        Field,
+        { label: t("record-scale-total"), hint: t("record-scale-total-hint") },
+        h("input", { ...text, inputmode: "decimal", ref: totalInput, ...tied("total") }),
+      ),
+      h(Field, { label: t("record-scale-day") }, h("input", { type: "date", ...tied("day") })),
     ),
-    problem,
+    h("p", { class: "problem", role: "alert" }, problem.value),
     h("div", { class: "spread" }, h("button", { class: "btn" }, t("record-scale-add"))),
   );
 }

@@ -1,48 +1,29 @@
 /** A session as a story for people who sign in: `#/session/story/ID`. Its trials lead to their replays. */
+import { newestAnswer } from "../../live/newest_answer.js";
+import { Fragment, h } from "../../preact.js";
+import { Story } from "../../results/story.js";
 import { t } from "../../texts.js";
-import { h, put } from "../../widgets/dom.js";
-import { storyParts } from "../../results/story.js";
-
-const CHANGES = ["record", "trial", "session", "everything"];
+import { drawWithLinks } from "./frame.js";
+import { RECORD_NEWS } from "./store.js";
 
 /** @param {import("../../main.js").App} app @param {HTMLElement} root @param {{signal: AbortSignal, rest: string[]}} page */
-export async function show(app, root, { signal, rest: [, session] }) {
+export async function show(app, root, { signal: left, rest: [, session] }) {
   const id = Number(session);
-  let story = await app.api.get(`/sessions/${id}/story`);
-  if (signal.aborted) return;
-  const { number, code, patient_id: patient } = story;
+  const ask = () => app.api.get(`/sessions/${id}/story`);
+  const first = await ask();
+  if (left.aborted) return;
+  const { number, code, patient_id: patient } = first;
   app.setSubject({ code, sessions: [number] });
-  const card = h("section", { class: "card stack" });
-  const draw = () =>
-    put(
-      card,
-      storyParts(story, (trial) => `#/review/${patient}/trial/${trial}`),
+  const story = newestAnswer(app, left, first, ask, RECORD_NEWS);
+  const Card = () =>
+    h(
+      "section",
+      { class: "card stack" },
+      h(Story, { story: story.value, replay: (trial) => `#/review/${patient}/trial/${trial}` }),
     );
-  /** @param {CustomEvent<string>} event */
-  const read = async ({ detail }) => {
-    if (!CHANGES.includes(detail)) return;
-    const now = await app.api.get(`/sessions/${id}/story`).catch(() => story);
-    if (signal.aborted || card.contains(document.activeElement) || JSON.stringify(now) === JSON.stringify(story))
-      return;
-    story = now;
-    draw();
-  };
-  app.live.addEventListener("changed", read, { signal });
-  draw();
-  put(
-    root,
-    h(
-      "div",
-      { class: "body session-record" },
-      h("h1", { tabindex: "-1" }, t("record-story-title", { number, code })),
-      card,
-    ),
-    h(
-      "div",
-      { class: "foot" },
-      h("span", { class: "grow" }),
-      h("a", { class: "btn", href: `#/session/${id}` }, t("record-story-record")),
-      h("a", { class: "btn", href: `#/session/patient/${patient}` }, t("record-back")),
-    ),
-  );
+  const heading = h("h1", { tabindex: -1 }, t("record-story-title", { number, code }));
+  drawWithLinks(root, h(Fragment, {}, heading, h(Card, {})), {
+    [`#/session/${id}`]: t("record-story-record"),
+    [`#/session/patient/${patient}`]: t("record-back"),
+  });
 }
