@@ -2,11 +2,11 @@
 import { signal } from "../preact.js";
 
 /**
- * A signal of the newest answer: a late answer to an earlier question changes nothing, nor does a failure.
+ * A signal of the newest answer: a late answer to an earlier question changes nothing, nor does a failure, nor null.
  * @template Answer
  * @param {import("../main.js").App} app @param {AbortSignal} left of the page
  * @param {Answer} first the answer that the page has already
- * @param {() => Promise<Answer>} ask @param {string[]} news what changes on the server before it is asked again
+ * @param {() => Promise<Answer | null>} ask @param {string[]} news what changes on the server before it is asked again
  */
 export function newestAnswer(app, left, first, ask, news) {
   const newest = signal(first);

@@ -7,6 +7,7 @@
  * @typedef {{task: Task, reason: "chosen" | NextTaskView["reason"]}} TaskChoice a task, and why it is shown
  * @typedef {NonNullable<Awaited<ReturnType<typeof taskStore>>>} TaskStore
  */
+import { newestAnswer } from "../../live/newest_answer.js";
 import { warningsPlace } from "../../results/control_warnings.js";
 import { drawFoot, drawPage, Fragment, h, signal, useLayoutEffect } from "../../preact.js";
 import { wayBeforeDriving } from "./obstacle_link.js";
@@ -58,35 +59,20 @@ async function taskStore(app, patient, [floorplan, path], left) {
   };
   const first = choiceOf(proposal);
   if (!first) throw new Error(t("drive-no-path", { path: proposal.path }));
-  const choice = signal(first);
-  const equipment = signal(equipmentNow);
-  const screens = signal(screensNow); // null for somebody who does not drive, and when they could not be read
+  /** The choice after news of trials; where a trial runs by now, the page is shown anew. */
+  const chooseAgain = async () => {
+    const [next, trials] = await Promise.all([readProposal(), app.api.get(`/trials?patient=${patient}`)]);
+    const again = trials.some(({ status }) => status === "running") ? null : choiceOf(next);
+    if (!again && !left.aborted) app.show();
+    return again;
+  };
+  const choice = newestAnswer(app, left, first, chooseAgain, ["trial", "everything"]);
+  const equipment = newestAnswer(app, left, equipmentNow, () => app.api.get("/equipment"), ["equipment", "everything"]);
+  // Null for somebody who does not drive, and when the screens could not be read.
+  const readScreens = async () => screensNow && app.api.get("/patient-screen");
+  const screens = newestAnswer(app, left, screensNow, readScreens, ["screens", "everything"]);
   const obstacle = signal(app.session?.obstacle ?? null); // what the start of a trial would be refused for
   const has3d = canDrawIn3d();
-  /**
-   * Read something again after news of it, and show the newest answer; what cannot be read stays as it is shown.
-   * @template Shown @param {string} news @param {{value: Shown}} shown @param {() => Promise<Shown | null>} read null:
-   *   the page has to be shown anew
-   */
-  const follow = (news, shown, read) => {
-    let reads = 0;
-    /** @param {CustomEvent<string>} event */
-    const readAgain = async ({ detail }) => {
-      if (detail !== news && detail !== "everything") return;
-      const number = ++reads;
-      const answer = await read().catch(() => undefined);
-      if (answer === undefined || number !== reads || left.aborted) return;
-      if (answer === null) app.show();
-      else shown.value = answer;
-    };
-    app.live.addEventListener("changed", readAgain, { signal: left });
-  };
-  follow("trial", choice, async () => {
-    const [next, trials] = await Promise.all([readProposal(), app.api.get(`/trials?patient=${patient}`)]);
-    return trials.some(({ status }) => status === "running") ? null : choiceOf(next);
-  });
-  follow("equipment", equipment, () => app.api.get("/equipment"));
-  if (screensNow) follow("screens", screens, () => app.api.get("/patient-screen"));
   app.addEventListener("session", () => void (obstacle.value = app.session?.obstacle ?? null), { signal: left });
   const start = () => {
     const { plan, path: way } = choice.value.task;

@@ -2,7 +2,7 @@
  * What the pages of the records have in common: the links below each of them, and how a session stands.
  * @import { ComponentChild } from "../../../vendor/preact/preact.js"
  */
-import { drawPage, Fragment, h, render } from "../../preact.js";
+import { drawFoot, drawPage, h } from "../../preact.js";
 import { t } from "../../texts.js";
 
 /**
@@ -12,11 +12,8 @@ import { t } from "../../texts.js";
  */
 export function drawWithLinks(root, page, links) {
   drawPage(root, page, "body session-record");
-  const foot = document.createElement("div");
-  foot.className = "foot";
-  root.append(foot);
   const buttons = Object.entries(links).map(([href, words]) => h("a", { key: href, class: "btn", href }, words));
-  render(h(Fragment, {}, h("span", { class: "grow" }), buttons), foot);
+  drawFoot(root, [h("span", { class: "grow" }), buttons]);
 }
 
 /** How a session stands, as a tag. @param {{session: {ended: string | null, sign_off: unknown}}} tag */
