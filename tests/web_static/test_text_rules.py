@@ -16,8 +16,8 @@ ALLOWED = {
     "editor/form.js": {"toFixed"},  # the value of a field of numbers, and angles of a document
     "editor/geometry.js": {"toFixed"},  # numbers of a document
     "editor/keys.js": {"toLowerCase"},  # the name of a key
-    "pages/controls/controls_draft.js": {"toFixed"},  # numbers of a set
     "pages/controls/handle_bar.js": {"toFixed"},  # numbers of a set, and aria-valuenow
+    "pages/controls/store.js": {"toFixed"},  # numbers of a set
     "pages/patients/patients.js": {"toLowerCase", "toUpperCase"},  # a search, and the first letter of a pseudonym
     "pages/review/play_bar.js": {"toLowerCase"},  # the name of a key
     "pages/review/replay_view.js": {"toFixed"},  # a number for the server

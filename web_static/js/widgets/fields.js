@@ -70,7 +70,8 @@ export function selection(options, chosen, onChange) {
 /**
  * A selection without groups as a component; other attributes are those of its element.
  * @template {string} Value
- * @param {{options: Option<Value>[], chosen: NoInfer<Value> | null, onChange: (value: NoInfer<Value>) => void}} selection
+ * @param {{options: Option<Value>[], chosen: NoInfer<Value> | null, onChange: (value: NoInfer<Value>) => void,
+ *   "aria-label"?: string}} selection
  */
 export function Selection({ options, chosen, onChange, ...attributes }) {
   return draw(
@@ -257,8 +258,7 @@ export function stepper({ label, value, low, high, step, digits, unit, onChange 
   };
   /** @param {1 | -1} direction */
   const turn = (direction) => {
-    const next = Math.min(high, Math.max(low, Math.round((now + direction * step) / step) * step));
-    now = Number(next.toFixed(6));
+    now = nextStep(now, direction, { low, high, step });
     show();
     onChange(now);
   };
@@ -272,6 +272,15 @@ export function stepper({ label, value, low, high, step, digits, unit, onChange 
     show();
   };
   return Object.assign(element, { setValue });
+}
+
+/**
+ * The number one step further, within its limits; each step leads to a whole number of steps.
+ * @param {number} value @param {1 | -1} direction @param {{low: number, high: number, step: number}} range
+ */
+export function nextStep(value, direction, { low, high, step }) {
+  const next = Math.min(high, Math.max(low, Math.round((value + direction * step) / step) * step));
+  return Number(next.toFixed(6));
 }
 
 /**

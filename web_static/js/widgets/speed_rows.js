@@ -2,11 +2,12 @@
  * The limits of speed and of its change, as steppers and in words: those of a set, of the clinic, of a chair.
  * @import { Speeds } from "types/api"
  */
+import { Fragment, h } from "../preact.js";
 import { limitsOf } from "../reference.js";
 import { hasText, t } from "../texts.js";
-import { h, write } from "./dom.js";
-import { segments, setting, stepper } from "./fields.js";
+import { Segments } from "./fields.js";
 import { number } from "./format.js";
+import { Setting, Stepper } from "./setting.js";
 
 const DEGREES = 180 / Math.PI; // people read degrees, the chair radians
 
@@ -49,45 +50,41 @@ export function speedWords({ unit, digits, factor, soft }, value) {
 }
 
 /**
- * A stepper for each limit, or three words where only an owner sets the number; `note` writes a remark below one.
- * @param {Speeds} speeds in SI units @param {Partial<Record<string, [number, number]>>} limits
- * @param {(name: keyof Speeds, value: number) => void} onChange @param {{hasNumbers: boolean}} options
+ * A stepper for each limit, or three words where only an owner sets the number.
+ * @param {object} rows
+ * @param {Speeds} rows.speeds in SI units
+ * @param {Partial<Record<string, [number, number]>>} [rows.limits] narrower than for anybody, in SI units
+ * @param {boolean} [rows.hasNumbers] also where others choose a word
+ * @param {Partial<Record<string, string>>} [rows.notes] remarks on single limits
+ * @param {(name: keyof Speeds, value: number) => void} rows.onChange
  */
-export function speedRows(speeds, limits, onChange, { hasNumbers }) {
-  /** @type {Map<string, HTMLElement>} */
-  const notes = new Map();
-  const elements = SPEEDS.map(({ name, unit, step, digits, factor, soft }) => {
+export function SpeedRows({ speeds, limits = {}, hasNumbers = false, notes = {}, onChange }) {
+  const rows = SPEEDS.map(({ name, unit, step, digits, factor, soft }) => {
     const [low, high] = limits[name] ?? rangeOf(name);
     const label = t(`speed-${name}`);
     const hint = `speed-${name}-hint`;
-    const note = h("span", { class: "held" });
-    notes.set(name, note);
-    // The steps are whole in the unit that people read; the result is kept within the chair's limits.
+    // The steps are whole in the unit that people read; the result is kept within the limits.
     /** @param {number} value as people read it */
     const change = (value) => onChange(name, Math.min(high, Math.max(low, value / factor)));
-    if (soft && !hasNumbers) {
-      const options = SOFTNESS.map((value) => ({ value, label: t(`softness-${value}`) }));
-      const words = segments(label, options, softness(soft, speeds[name]), (word) =>
-        change(soft[SOFTNESS.indexOf(word)] * factor),
-      );
-      return setting(label, [hasText(hint) && t(hint), note], words);
-    }
-    const control = stepper({
-      label,
-      value: speeds[name] * factor,
-      low: low * factor,
-      high: high * factor,
-      step,
-      digits,
-      unit: t(`unit-${unit}`),
-      onChange: change,
-    });
-    return setting(label, [hasText(hint) && t(hint), note], control);
+    const control =
+      soft && !hasNumbers
+        ? h(Segments, {
+            label,
+            options: SOFTNESS.map((value) => ({ value: String(value), label: t(`softness-${value}`) })),
+            chosen: softness(soft, speeds[name]),
+            onChange: (/** @type {typeof SOFTNESS[number]} */ word) => change(soft[SOFTNESS.indexOf(word)] * factor),
+          })
+        : h(Stepper, {
+            label,
+            value: speeds[name] * factor,
+            low: low * factor,
+            high: high * factor,
+            step,
+            digits,
+            unit: t(`unit-${unit}`),
+            onChange: change,
+          });
+    return h(Setting, { key: name, title: label, hint: hasText(hint) ? t(hint) : "", note: notes[name] }, control);
   });
-  /** @param {keyof Speeds} name @param {string} words */
-  const note = (name, words) => {
-    const place = notes.get(name);
-    if (place) write(place, words);
-  };
-  return { elements, note };
+  return h(Fragment, {}, rows);
 }

@@ -1,72 +1,80 @@
 /**
  * Who to look at: the patients who need attention with the reasons, the most urgent first; then all others.
  * @import { AttentionView, PatientAttention } from "types/api"
+ * @import { ComponentChildren } from "../../preact.js"
  */
+import { drawFoot, drawPage, Fragment, h, signal } from "../../preact.js";
 import { t } from "../../texts.js";
-import { h, put } from "../../widgets/dom.js";
-import { icon } from "../../widgets/icons.js";
-import { rowList } from "../../widgets/list.js";
+import { Icon } from "../../widgets/icons.js";
 
 const ASK_AGAIN = 5000; // ms, while something is worked out
 const CHANGES = ["trial", "record", "session", "everything"];
 const URGENT = ["drive", "deterioration", "halted"];
 
 /** @param {import("../../main.js").App} app @param {HTMLElement} root @param {{signal: AbortSignal}} page */
-export async function show(app, root, { signal }) {
-  let found = await app.api.get("/attention");
-  if (signal.aborted) return;
-  const needed = rowList("attention");
-  const others = rowList("attention");
-  const rest = h("section", { class: "stack" }, h("h2", {}, t("attention-others")), others);
-  const pending = h("p", { class: "quiet", role: "status" });
+export async function show(app, root, { signal: left }) {
+  const patients = signal(await app.api.get("/attention"));
+  if (left.aborted) return;
   let timer = 0;
-  const draw = () => {
-    const [some, none] = [found.filter((one) => one.reasons.length), found.filter((one) => !one.reasons.length)];
-    needed.show(
-      some.map(row),
-      h("p", { class: "card quiet" }, t(found.length ? "attention-none" : "attention-nobody")),
-    );
-    others.show(none.map(row));
-    rest.hidden = !none.length;
-    const count = found.filter((one) => one.pending).length;
-    put(pending, count > 0 && t("attention-pending", { count }));
+  let reads = 0;
+  const askAgain = () => {
     clearTimeout(timer);
-    if (count) timer = setTimeout(read, ASK_AGAIN);
+    if (patients.value.some(({ pending }) => pending)) timer = setTimeout(read, ASK_AGAIN);
   };
   const read = async () => {
-    const now = await app.api.get("/attention").catch(() => found);
-    if (signal.aborted) return;
-    found = now;
-    draw();
+    const number = ++reads;
+    const now = await app.api.get("/attention").catch(() => patients.value);
+    if (left.aborted || number !== reads) return;
+    patients.value = now;
+    askAgain();
   };
-  app.live.addEventListener("changed", ({ detail }) => CHANGES.includes(detail) && read(), { signal });
-  signal.addEventListener("abort", () => clearTimeout(timer));
-  put(
-    root,
-    h(
-      "div",
-      { class: "body stack" },
-      h("h1", { tabindex: "-1" }, t("rail-attention")),
+  const Page = () => {
+    const all = patients.value;
+    const others = all.filter(({ reasons }) => !reasons.length);
+    const count = all.filter(({ pending }) => pending).length;
+    return h(
+      Fragment,
+      {},
+      h("h1", { tabindex: -1 }, t("rail-attention")),
       h("p", { class: "lead" }, t("attention-lead")),
-      pending,
-      needed,
-      rest,
-    ),
-    h(
-      "div",
-      { class: "foot" },
-      h("span", { class: "grow" }),
-      h("a", { class: "btn", href: "#/review" }, t("rail-review")),
-    ),
+      h("p", { class: "quiet", role: "status" }, count > 0 && t("attention-pending", { count })),
+      h(
+        List,
+        { patients: all.filter(({ reasons }) => reasons.length) },
+        h("p", { class: "card quiet" }, t(all.length ? "attention-none" : "attention-nobody")),
+      ),
+      h(
+        "section",
+        { class: "stack", hidden: !others.length },
+        h("h2", {}, t("attention-others")),
+        h(List, { patients: others }),
+      ),
+    );
+  };
+  app.live.addEventListener("changed", ({ detail }) => CHANGES.includes(detail) && read(), { signal: left });
+  left.addEventListener("abort", () => clearTimeout(timer));
+  drawPage(root, h(Page, {}), "body stack");
+  drawFoot(
+    root,
+    h(Fragment, {}, h("span", { class: "grow" }), h("a", { class: "btn", href: "#/review" }, t("rail-review"))),
   );
-  draw();
+  askAgain();
 }
 
-/** @param {PatientAttention} patient */
-function row({ patient_id: id, code, pseudonym, reasons }) {
+/**
+ * Patients; it is called a list only while it has rows, because a list without any is an error to screen readers.
+ * @param {{patients: PatientAttention[], children?: ComponentChildren}} list children: what stands there without rows
+ */
+function List({ patients, children }) {
+  const rows = patients.map((patient) => h(Row, { key: patient.patient_id, patient }));
+  return h("div", { class: "attention", role: rows.length ? "list" : undefined }, rows.length ? rows : children);
+}
+
+/** @param {{patient: PatientAttention}} row */
+function Row({ patient: { patient_id: id, code, pseudonym, reasons } }) {
   return h(
     "div",
-    { class: "card person" },
+    { class: "card person", role: "listitem" },
     h(
       "div",
       { class: "grow stack" },
@@ -75,14 +83,18 @@ function row({ patient_id: id, code, pseudonym, reasons }) {
         h(
           "ul",
           { class: "reasons" },
-          reasons.map((one) => reasonLine(id, one)),
+          reasons.map((reason) => h(Reason, { key: keyOf(reason), patient: id, reason })),
         ),
     ),
   );
 }
 
-/** @param {number} patient id @param {AttentionView} reason */
-function reasonLine(patient, { reason, number, session_id: session, trial_id: trial, sentence }) {
+/** @param {AttentionView} reason */
+const keyOf = ({ reason, session_id: session, trial_id: trial, sentence }) =>
+  [reason, session, trial, sentence].join(" ");
+
+/** @param {{patient: number, reason: AttentionView}} line patient: id */
+function Reason({ patient, reason: { reason, number, session_id: session, trial_id: trial, sentence } }) {
   const where = trial
     ? `#/review/${patient}/trial/${trial}`
     : session && reason !== "deterioration"
@@ -94,7 +106,7 @@ function reasonLine(patient, { reason, number, session_id: session, trial_id: tr
     h(
       "a",
       { class: "btn small", href: where },
-      URGENT.includes(reason) && icon("warning", 18),
+      URGENT.includes(reason) && h(Icon, { name: "warning", size: 18 }),
       t(`attention-${reason}`, { count: number }),
     ),
     sentence && h("p", { class: "small" }, sentence),

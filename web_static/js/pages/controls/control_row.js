@@ -1,174 +1,176 @@
 /**
  * One of the five controls: which gestures it answers to, their live bars, and the fine-tuning.
- * @import { Binding, Gesture } from "types/api"
- * @import { LiveMessage } from "../../live/live.js"
- * @import { Control, ControlsDraft } from "./controls_draft.js"
- * @typedef {{name: string, which: "dead_zone" | "full", stepper: ReturnType<typeof stepper>}} Threshold a gesture's
+ * @import { Gesture } from "types/api"
+ * @import { Control, ControlsStore } from "./store.js"
  */
+import { Fragment, h, useSignal } from "../../preact.js";
 import { t } from "../../texts.js";
-import { h } from "../../widgets/dom.js";
-import { selection, segments, setting, stepper } from "../../widgets/fields.js";
+import { Segments, Selection } from "../../widgets/fields.js";
 import { anyOf } from "../../widgets/format.js";
-import { gestureFor, gestureWithin, gestureWords, jointLabels, TOGETHER } from "../../widgets/gestures.js";
-import { handleBar } from "./handle_bar.js";
-import { icon } from "../../widgets/icons.js";
+import { gestureFor, gestureWithin, gestureWords, TOGETHER } from "../../widgets/gestures.js";
+import { Icon } from "../../widgets/icons.js";
+import { Setting, Stepper } from "../../widgets/setting.js";
+import { HandleBar } from "./handle_bar.js";
 
-/** @type {Gesture["feature"][]} */
 const FEATURES = ["rate", "displacement"];
 const THRESHOLD = { step: 1, digits: 0 }; // % of the full movement
 const GAIN = { step: 0.1, digits: 1 };
 
-/**
- * @param {Control} control @param {ControlsDraft} draft @param {boolean} isOpen
- * @param {(control: Control, isOpen: boolean) => void} onToggle
- */
-export function controlRow(control, draft, isOpen, onToggle) {
-  const binding = draft.binding(control);
-  const labels = jointLabels(draft.profile);
-  const gestures = binding.gestures.flatMap((name) => draft.gesture(name) ?? []);
-  const words = gestures.map((gesture) => gestureWords(gesture, labels));
-  const live = h("span", { class: "tag", style: "visibility:hidden" }, t("control-live"));
-  const isStop = control === "stop";
-  const bars = isStop
-    ? []
-    : gestures.map((gesture, i) => ({
-        gesture,
-        bar: handleBar(gesture, words[i], (from, full) => draft.setHandles(gesture.name, from, full)),
-      }));
+/** @param {{store: ControlsStore, control: Control}} row */
+export function ControlRow({ store, control }) {
+  const isOpen = useSignal(false);
+  const labels = store.labels.value;
+  const gestures = store.gesturesOf(control);
   const within = gestures.map((gesture) => gestureWithin(gesture, labels));
-  const joined = (isStop ? within.join(TOGETHER) : anyOf(within)) || t("control-nothing");
-  /** @type {Threshold[]} */
-  const steppers = [];
-  const tuning = h("div", { hidden: !isOpen }, fineTune(control, binding, gestures, words, labels, draft, steppers));
-  const tune = h(
-    "button",
-    { type: "button", class: "btn bare small tune", "aria-expanded": String(isOpen) },
-    t("tune"),
-  );
-  tune.addEventListener("click", () => {
-    tuning.hidden = !tuning.hidden;
-    tune.setAttribute("aria-expanded", String(!tuning.hidden));
-    onToggle(control, !tuning.hidden);
-  });
-  const title = h("h2", {}, t(`control-${control}`), h("span", { class: "quiet" }, ` ← ${joined}`));
-  const element = h(
+  const isStop = control === "stop";
+  const answersTo = (isStop ? within.join(TOGETHER) : anyOf(within)) || t("control-nothing");
+  return h(
     "section",
     { class: "control" },
-    h("div", { class: "row" }, title, h("span", { class: "grow" }), live, tune),
-    bars.map(({ bar }) => bar.element),
+    h(
+      "div",
+      { class: "row" },
+      h("h2", {}, t(`control-${control}`), h("span", { class: "quiet" }, ` ← ${answersTo}`)),
+      h("span", { class: "grow" }),
+      h(LiveTag, { store, gestures, isStop }),
+      h(
+        "button",
+        {
+          type: "button",
+          class: "btn bare small tune",
+          "aria-expanded": isOpen.value,
+          onClick: () => (isOpen.value = !isOpen.value),
+        },
+        t("tune"),
+      ),
+    ),
+    !isStop &&
+      gestures.map((gesture) =>
+        h(HandleBar, {
+          key: `${gesture.name} ${gesture.feature}`,
+          store,
+          gesture,
+          words: gestureWords(gesture, labels),
+        }),
+      ),
     isStop && h("p", { class: "quiet small" }, t("control-together")),
-    tuning,
+    h("div", { hidden: !isOpen.value }, isOpen.value && h(Tuning, { store, control })),
   );
-
-  /** @param {LiveMessage} now */
-  const showLive = (now) => {
-    /** @param {string} name */
-    const index = (name) => now.gestures.indexOf(name);
-    for (const { gesture, bar } of bars) bar.showLive(now.rate[index(gesture.name)] ?? 0);
-    const levels = gestures.map(({ name }) => now.activation[index(name)] ?? 0);
-    const isLive =
-      levels.length > 0 && (isStop ? levels.every((level) => level > 0) : levels.some((level) => level > 0));
-    live.style.visibility = isLive ? "visible" : "hidden";
-  };
-  /** Follow handles that were moved elsewhere: on the bar, by the steppers, in another row. @param {Gesture} changed */
-  const follow = (changed) => {
-    for (const { gesture, bar } of bars)
-      if (gesture.name === changed.name) bar.setHandles(changed.dead_zone, changed.full);
-    for (const { name, which, stepper: one } of steppers) if (name === changed.name) one.setValue(100 * changed[which]);
-  };
-  return { element, showLive, follow };
 }
 
-/**
- * @param {Control} control @param {Binding} binding @param {Gesture[]} gestures @param {string[]} words of each gesture
- * @param {Record<string, string>} labels of the joints @param {ControlsDraft} draft @param {Threshold[]} steppers to add to
- */
-function fineTune(control, binding, gestures, words, labels, draft, steppers) {
-  const chips = gestures.map((gesture, i) =>
-    h(
+/** Whether the control is given now. @param {{store: ControlsStore, gestures: Gesture[], isStop: boolean}} tag */
+function LiveTag({ store: { live }, gestures, isStop }) {
+  const { gestures: names = [], activation = [] } = live.value ?? {};
+  const levels = gestures.map(({ name }) => activation[names.indexOf(name)] ?? 0);
+  const isLive = levels.length > 0 && (isStop ? levels.every((level) => level > 0) : levels.some((level) => level > 0));
+  return h("span", { class: "tag", style: { visibility: isLive ? "visible" : "hidden" } }, t("control-live"));
+}
+
+/** @param {{store: ControlsStore, control: Control}} tuning */
+function Tuning({ store, control }) {
+  const labels = store.labels.value;
+  const gestures = store.gesturesOf(control);
+  const isStop = control === "stop";
+  /** @param {Gesture} gesture */
+  const chip = (gesture) => {
+    const words = gestureWords(gesture, labels);
+    return h(
       "button",
       {
+        key: gesture.name,
         type: "button",
         class: "btn small chip",
-        "aria-label": t("tune-remove", { gesture: words[i] }),
-        onclick: () => draft.unbind(control, gesture.name),
+        "aria-label": t("tune-remove", { gesture: words }),
+        onClick: () => store.unbind(control, gesture.name),
       },
-      words[i],
-      icon("cross", 16),
-    ),
-  );
-  const [, highestGain] = draft.limits.gain;
+      words,
+      h(Icon, { name: "cross", size: 16 }),
+    );
+  };
   return h(
     "div",
     { class: "tuning" },
-    setting(t("tune-gestures"), "", h("span", { class: "spread" }, chips, addGesture(control, binding, labels, draft))),
-    control !== "stop" &&
-      setting(
-        t("tune-gain"),
-        t("tune-gain-hint"),
-        stepper({
+    h(
+      Setting,
+      { title: t("tune-gestures") },
+      h("span", { class: "spread" }, gestures.map(chip), h(AddGesture, { store, control })),
+    ),
+    !isStop &&
+      h(
+        Setting,
+        { title: t("tune-gain"), hint: t("tune-gain-hint") },
+        h(Stepper, {
           label: t("tune-gain"),
-          value: binding.gain,
+          value: store.bindingOf(control).gain,
           low: 0,
-          high: highestGain,
+          high: store.view.value.limits.gain[1],
           ...GAIN,
           unit: "×",
-          onChange: (gain) => draft.setGain(control, gain),
+          onChange: (gain) => store.setGain(control, gain),
         }),
       ),
-    control !== "stop" && gestures.map((gesture, i) => oneGesture(gesture, words[i], draft, steppers)),
+    !isStop &&
+      gestures.map((gesture) =>
+        h(GestureSettings, { key: gesture.name, store, gesture, words: gestureWords(gesture, labels) }),
+      ),
   );
 }
 
-/** @param {Gesture} gesture @param {string} words @param {ControlsDraft} draft @param {Threshold[]} steppers to add to */
-function oneGesture(gesture, words, draft, steppers) {
-  const unit = t(`unit-${gesture.feature}`);
-  const high = 100 * draft.limits.threshold[1];
-  /** @param {"from" | "full"} place @param {Threshold["which"]} which @param {(value: number) => void} onChange */
-  const threshold = (place, which, onChange) => {
-    const label = t(`handle-${place}-label`, { gesture: words });
-    const one = stepper({
-      label,
-      value: 100 * gesture[which],
-      low: 0,
-      high,
-      ...THRESHOLD,
-      unit,
-      onChange: (share) => onChange(share / 100),
-    });
-    steppers.push({ name: gesture.name, which, stepper: one });
-    return setting(t(`tune-${place}`), words, one);
-  };
-  const now = () => draft.gesture(gesture.name) ?? gesture;
-  const options = FEATURES.map((value) => ({ value, label: t(`tune-${value}`) }));
-  return [
-    threshold("from", "dead_zone", (value) => draft.setHandles(gesture.name, value, now().full)),
-    threshold("full", "full", (value) => draft.setHandles(gesture.name, now().dead_zone, value)),
-    setting(
-      t("tune-feature"),
-      words,
-      segments(t("tune-feature"), options, gesture.feature, (feature) => draft.setFeature(gesture.name, feature)),
+/** @param {{store: ControlsStore, gesture: Gesture, words: string}} settings words: of the gesture */
+function GestureSettings({ store, gesture, words }) {
+  const { name, feature, dead_zone: from, full } = gesture;
+  /** @param {"from" | "full"} place @param {number} value @param {(value: number) => void} onChange */
+  const threshold = (place, value, onChange) =>
+    h(
+      Setting,
+      { title: t(`tune-${place}`), hint: words },
+      h(Stepper, {
+        label: t(`handle-${place}-label`, { gesture: words }),
+        value: 100 * value,
+        low: 0,
+        high: 100 * store.view.value.limits.threshold[1],
+        ...THRESHOLD,
+        unit: t(`unit-${feature}`),
+        onChange: (share) => onChange(share / 100),
+      }),
+    );
+  return h(
+    Fragment,
+    {},
+    threshold("from", from, (value) => store.setHandles(name, value, full)),
+    threshold("full", full, (value) => store.setHandles(name, from, value)),
+    h(
+      Setting,
+      { title: t("tune-feature"), hint: words },
+      h(Segments, {
+        label: t("tune-feature"),
+        options: FEATURES.map((value) => ({ value, label: t(`tune-${value}`) })),
+        chosen: feature,
+        onChange: (/** @type {Gesture["feature"]} */ value) => store.setFeature(name, value),
+      }),
     ),
-  ];
+  );
 }
 
-/** @param {Control} control @param {Binding} binding @param {Record<string, string>} labels @param {ControlsDraft} draft */
-function addGesture(control, binding, labels, draft) {
+/** The choice of one more gesture. @param {{store: ControlsStore, control: Control}} choice */
+function AddGesture({ store, control }) {
+  const labels = store.labels.value;
+  const { gestures: names } = store.bindingOf(control);
   const options = [{ value: "", label: t("tune-add") }];
   for (const direction of [1, -1]) {
     for (const joint of Object.keys(labels)) {
-      const gesture = gestureFor(draft.settings.gestures, joint, direction);
-      if (gesture && binding.gestures.includes(gesture.name)) continue;
+      const gesture = gestureFor(store.settings.value.gestures, joint, direction);
+      if (gesture && names.includes(gesture.name)) continue;
       options.push({
         value: `${joint}:${direction}`,
         label: gestureWords({ joint, direction, feature: "rate" }, labels),
       });
     }
   }
-  const select = selection(options, "", (value) => {
+  /** @param {string} value */
+  const bind = (value) => {
     const [joint, direction] = value.split(":");
-    if (joint) draft.bind(control, joint, direction === "1" ? 1 : -1);
-  });
-  select.setAttribute("aria-label", t("tune-add"));
-  return select;
+    if (joint) store.bind(control, joint, direction === "1" ? 1 : -1);
+  };
+  return h(Selection, { options, chosen: "", onChange: bind, "aria-label": t("tune-add") });
 }

@@ -1,10 +1,12 @@
 /**
- * A gesture's live bar with its two handles: from here it counts, here it is full. Pointer, arrow keys and − + all move them.
+ * A gesture's live bar with its two handles: from here it counts, here it is full. Pointer, arrow keys and − + all move
+ * them.
  * @import { Gesture } from "types/api"
+ * @import { ControlsStore } from "./store.js"
  * @typedef {"from" | "full"} HandleName
  */
+import { Fragment, h, useRef } from "../../preact.js";
 import { t } from "../../texts.js";
-import { h, set, write } from "../../widgets/dom.js";
 import { number } from "../../widgets/format.js";
 
 const LEAST_GAP = 0.02; // FS/s or FS between the handles; the server refuses less than 0.01
@@ -25,41 +27,17 @@ const STEPS = {
 };
 const SHORTEST = { rate: 1.2, displacement: 1 }; // the bar's end at least
 
-/**
- * @param {Gesture} gesture @param {string} name for people @param {(dead_zone: number, full: number) => void} onChange
- */
-export function handleBar(gesture, name, onChange) {
-  const end = Math.ceil(Math.max(SHORTEST[gesture.feature], gesture.full * 1.35) * 5) / 5;
+/** @param {{store: ControlsStore, gesture: Gesture, words: string}} bar words: of the gesture */
+export function HandleBar({ store, gesture, words }) {
+  const bar = useRef(/** @type {HTMLDivElement | null} */ (null));
+  const pointerHandle = useRef(/** @type {HandleName | null} */ (null)); // the handle that the pointer has
+  const length = useRef(0);
+  // It is never made shorter, because the handle would move under the finger.
+  if (gesture.full > length.current) length.current = lengthFor(gesture);
+  const { current: end } = length;
   const at = { from: gesture.dead_zone, full: gesture.full };
-  const live = h("div", { class: "live" });
-  const peak = h("div", { class: "peak" });
-  const handles = { from: handle("from", name), full: handle("full", name) };
-  const words = { from: h("span", { class: "words" }), full: h("span", { class: "words" }) };
-  const bar = h("div", { class: "handles" }, live, peak, handles.from, handles.full);
-  const element = h(
-    "div",
-    { class: "handle-bar" },
-    bar,
-    h("div", { class: "under", "aria-hidden": "true" }, words.from, words.full),
-  );
-
-  /** @param {number} value */
+  /** @param {number} value @returns {number} % of the bar */
   const share = (value) => (100 * Math.min(end, Math.max(0, value))) / end;
-  const show = () => {
-    const isCrowded = share(at.full) - share(at.from) < CROWDED;
-    for (const which of HANDLES) {
-      const value = t(`handle-${gesture.feature}`, { value: number(100 * at[which], 0) });
-      handles[which].style.left = words[which].style.left = `${share(at[which])}%`;
-      write(words[which], t(`handle-value-${which}`, { value }));
-      words[which].dataset.turn = turnOf(which, isCrowded, share(at[which]));
-      set(handles[which], {
-        "aria-valuemin": 0,
-        "aria-valuemax": end,
-        "aria-valuenow": Number(at[which].toFixed(2)),
-        "aria-valuetext": value,
-      });
-    }
-  };
   /** @param {HandleName} which @param {number} value */
   const move = (which, value) => {
     const bounded =
@@ -68,49 +46,114 @@ export function handleBar(gesture, name, onChange) {
         : Math.min(end, Math.max(at.from + LEAST_GAP, value));
     const rounded = Number(bounded.toFixed(3));
     if (rounded === at[which]) return;
-    at[which] = rounded;
-    show();
-    onChange(at.from, at.full);
+    if (which === "from") store.setHandles(gesture.name, rounded, at.full);
+    else store.setHandles(gesture.name, at.from, rounded);
   };
-  for (const which of HANDLES) {
-    handles[which].addEventListener("keydown", (event) => {
-      const step = STEPS[event.key];
-      const value = event.key === "Home" ? 0 : event.key === "End" ? end : step ? at[which] + step : null;
-      if (value === null) return;
-      event.preventDefault();
-      move(which, value);
+  /** @param {KeyboardEvent} event @param {HandleName} which */
+  const press = (event, which) => {
+    const step = STEPS[event.key];
+    const value = event.key === "Home" ? 0 : event.key === "End" ? end : step ? at[which] + step : null;
+    if (value === null) return;
+    event.preventDefault();
+    move(which, value);
+  };
+  /** A pointer takes the nearer handle when it lands near one. @param {PointerEvent} event */
+  const grab = (event) => {
+    const { current: element } = bar;
+    if (!element) return;
+    const { left, width } = element.getBoundingClientRect();
+    /** @param {HandleName} which @returns {number} px */
+    const distance = (which) => Math.abs(event.clientX - left - (width * share(at[which])) / 100);
+    const nearer = distance("from") < distance("full") ? "from" : "full";
+    if (distance(nearer) > GRAB) return;
+    event.preventDefault();
+    pointerHandle.current = nearer;
+    element.setPointerCapture(event.pointerId);
+    /** @type {HTMLElement | null} */ (element.querySelector(`[data-handle="${nearer}"]`))?.focus({
+      preventScroll: true,
     });
-  }
-  dragNearest(bar, handles, (which, x) => move(which, x * end));
-  show();
-
-  let highest = 0;
-  let highestAt = 0;
-  /** @param {number} value */
-  const showLive = (value) => {
-    const now = performance.now();
-    if (value >= highest || now - highestAt > PEAK_STAYS) [highest, highestAt] = [Math.max(0, value), now];
-    live.style.width = `${share(value)}%`;
-    live.classList.toggle("counts", value > at.from);
-    peak.style.left = `${share(highest)}%`;
   };
-  /** @param {number} from @param {number} full */
-  const setHandles = (from, full) => {
-    [at.from, at.full] = [from, full];
-    show();
+  /** @param {PointerEvent} event */
+  const drag = (event) => {
+    if (!bar.current || !pointerHandle.current) return;
+    const { left, width } = bar.current.getBoundingClientRect();
+    move(pointerHandle.current, ((event.clientX - left) / width) * end);
   };
-  return { element, showLive, setHandles };
+  const release = () => void (pointerHandle.current = null);
+  /** @param {HandleName} which */
+  const valueOf = (which) => t(`handle-${gesture.feature}`, { value: number(100 * at[which], 0) });
+  const isCrowded = share(at.full) - share(at.from) < CROWDED;
+  return h(
+    "div",
+    { class: "handle-bar" },
+    h(
+      "div",
+      {
+        class: "handles",
+        ref: bar,
+        onPointerDown: grab,
+        onPointerMove: drag,
+        onPointerUp: release,
+        onPointerCancel: release,
+      },
+      h(Level, { store, gesture, share }),
+      HANDLES.map((which) =>
+        h("div", {
+          key: which,
+          class: "handle",
+          "data-handle": which,
+          role: "slider",
+          tabindex: 0,
+          "aria-label": t(`handle-${which}-label`, { gesture: words }),
+          "aria-valuemin": 0,
+          "aria-valuemax": end,
+          "aria-valuenow": Number(at[which].toFixed(2)),
+          "aria-valuetext": valueOf(which),
+          style: { left: `${share(at[which])}%` },
+          onKeyDown: (/** @type {KeyboardEvent} */ event) => press(event, which),
+        }),
+      ),
+    ),
+    h(
+      "div",
+      { class: "under", "aria-hidden": "true" },
+      HANDLES.map((which) =>
+        h(
+          "span",
+          {
+            key: which,
+            class: "words",
+            "data-turn": turnOf(which, isCrowded, share(at[which])),
+            style: { left: `${share(at[which])}%` },
+          },
+          t(`handle-value-${which}`, { value: valueOf(which) }),
+        ),
+      ),
+    ),
+  );
 }
 
-/** @param {HandleName} which @param {string} name of the gesture for people */
-function handle(which, name) {
-  return h("div", {
-    class: "handle",
-    "data-handle": which,
-    role: "slider",
-    tabindex: "0",
-    "aria-label": t(`handle-${which}-label`, { gesture: name }),
-  });
+/**
+ * How strong the movement is now, and how strong it was at most in the last seconds.
+ * @param {{store: ControlsStore, gesture: Gesture, share: (value: number) => number}} level
+ */
+function Level({ store: { live }, gesture, share }) {
+  const peak = useRef({ value: 0, at: 0 });
+  const value = live.value?.rate[live.value.gestures.indexOf(gesture.name)] ?? 0;
+  const now = performance.now();
+  if (value >= peak.current.value || now - peak.current.at > PEAK_STAYS)
+    peak.current = { value: Math.max(0, value), at: now };
+  return h(
+    Fragment,
+    {},
+    h("div", { class: value > gesture.dead_zone ? "live counts" : "live", style: { width: `${share(value)}%` } }),
+    h("div", { class: "peak", style: { left: `${share(peak.current.value)}%` } }),
+  );
+}
+
+/** Where the bar of a gesture ends, so that its upper handle has room. @param {Gesture} gesture */
+function lengthFor({ feature, full }) {
+  return Math.ceil(Math.max(SHORTEST[feature], full * 1.35) * 5) / 5;
 }
 
 /**
@@ -121,34 +164,4 @@ function turnOf(which, isCrowded, share) {
   if (share < 12) return "right";
   if (share > 88) return "left";
   return isCrowded ? (which === "from" ? "left" : "right") : "middle";
-}
-
-/**
- * Let a pointer drag the nearer handle when it lands near one.
- * @param {HTMLElement} bar @param {Record<HandleName, HTMLElement>} handles
- * @param {(which: HandleName, share: number) => void} onMove
- */
-function dragNearest(bar, handles, onMove) {
-  /** @type {HandleName | null} */
-  let taken = null;
-  /** @param {PointerEvent} event */
-  const place = (event) => {
-    const box = bar.getBoundingClientRect();
-    return { x: (event.clientX - box.left) / box.width, width: box.width };
-  };
-  bar.addEventListener("pointerdown", (event) => {
-    /** @param {HandleName} which */
-    const away = (which) => {
-      const box = handles[which].getBoundingClientRect();
-      return Math.abs(event.clientX - (box.left + box.width / 2));
-    };
-    const nearer = away("from") < away("full") ? "from" : "full";
-    taken = away(nearer) > GRAB ? null : nearer;
-    if (!taken) return;
-    event.preventDefault();
-    bar.setPointerCapture(event.pointerId);
-    handles[taken].focus({ preventScroll: true });
-  });
-  bar.addEventListener("pointermove", (event) => taken && onMove(taken, place(event).x));
-  for (const name of ["pointerup", "pointercancel"]) bar.addEventListener(name, () => (taken = null));
 }

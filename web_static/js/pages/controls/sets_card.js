@@ -1,33 +1,31 @@
 /** Named sets: save what is set now under a name, come back to one that was saved. */
+import { h, useSignal } from "../../preact.js";
 import { t } from "../../texts.js";
-import { h } from "../../widgets/dom.js";
-import { field, selection } from "../../widgets/fields.js";
+import { Field, Selection } from "../../widgets/fields.js";
 
 const LONGEST = 20; // characters, as wheelchair programming has it
 
-/** @param {import("../../main.js").App} app @param {import("./controls_draft.js").ControlsDraft} draft */
-export function setsCard(app, draft) {
-  const { title } = draft.settings;
-  const name = h("input", {
-    type: "text",
-    value: title,
-    maxlength: Math.max(LONGEST, title.length),
-    required: true,
-    autocomplete: "off",
-  });
+/** @param {{store: import("./store.js").ControlsStore}} card */
+export function SetsCard({ store }) {
+  const { toasts } = store.app;
+  const { saved, parameters } = store.view.value;
+  const { title } = store.settings.value;
+  const draft = useSignal(/** @type {string | null} */ (null)); // null: the name of the set in use
+  const name = draft.value ?? title;
   /** @param {SubmitEvent} event */
   const save = async (event) => {
     event.preventDefault();
-    draft.setTitle(name.value.trim());
-    await draft.flush();
-    if (draft.view.parameters.title === name.value.trim())
-      app.toasts.show(t("sets-saved", { title: name.value.trim() }));
+    const chosen = name.trim();
+    if (!(await store.save(chosen))) return;
+    if (draft.value === name) draft.value = null;
+    toasts.show(t("sets-saved", { title: chosen }));
   };
   /** @param {string} chosen */
   const load = (chosen) =>
-    app.toasts.attempt(async () => {
-      await draft.ask(() => draft.api.post("/controls/load", { title: chosen }));
-      app.toasts.show(t("sets-loaded", { title: chosen }));
+    toasts.attempt(async () => {
+      await store.load(chosen);
+      draft.value = null;
+      toasts.show(t("sets-loaded", { title: chosen }));
     });
   return h(
     "section",
@@ -35,17 +33,31 @@ export function setsCard(app, draft) {
     h("h2", {}, t("sets-title")),
     h(
       "form",
-      { class: "stack", onsubmit: save },
-      draft.view.saved.length > 1 &&
-        field(
-          t("sets-load"),
-          selection(
-            draft.view.saved.map((one) => ({ value: one, label: one })),
-            title,
-            load,
-          ),
+      { class: "stack", onSubmit: save },
+      saved.length > 1 &&
+        h(
+          Field,
+          { label: t("sets-load") },
+          h(Selection, {
+            options: saved.map((one) => ({ value: one, label: one })),
+            chosen: parameters.title,
+            onChange: load,
+          }),
         ),
-      field(t("sets-name"), name),
+      h(
+        Field,
+        { label: t("sets-name") },
+        h("input", {
+          type: "text",
+          defaultValue: title, // what differs from it is a name that was not saved
+          value: name,
+          maxlength: Math.max(LONGEST, title.length),
+          required: true,
+          autocomplete: "off",
+          onInput: (/** @type {Event} */ { currentTarget }) =>
+            void (draft.value = /** @type {HTMLInputElement} */ (currentTarget).value),
+        }),
+      ),
       h("button", { class: "btn" }, t("sets-save")),
     ),
   );

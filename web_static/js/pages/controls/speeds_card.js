@@ -1,32 +1,33 @@
 /**
  * How the chair drives: control mode per axis in words, speeds with their units, tremor damping, time-outs.
- * @import { ControlsDraft, ValueName } from "./controls_draft.js"
+ * @import { ControlsStore, Settings } from "./store.js"
  */
+import { h } from "../../preact.js";
 import { t } from "../../texts.js";
-import { h } from "../../widgets/dom.js";
-import { choices, setting, stepper } from "../../widgets/fields.js";
-import { SPEEDS, speedRows, speedWords } from "../../widgets/speed_rows.js";
+import { Choices } from "../../widgets/fields.js";
+import { Setting, Stepper } from "../../widgets/setting.js";
+import { SpeedRows, SPEEDS, speedWords } from "../../widgets/speed_rows.js";
 
-const MODES = /** @type {const} */ (["acceleration", "velocity"]);
+const MODES = ["acceleration", "velocity"];
 
-/** @param {ControlsDraft} draft */
-export function modesCard(draft) {
+/** @param {{store: ControlsStore}} card */
+export function ModesCard({ store: { settings, change } }) {
   /** @param {"u1" | "u2"} name */
   const axis = (name) =>
     h(
       "div",
       {},
       h("h3", {}, t(`how-${name}`)),
-      choices(
-        t(`how-${name}`),
-        MODES.map((mode) => ({
+      h(Choices, {
+        label: t(`how-${name}`),
+        options: MODES.map((mode) => ({
           value: mode,
           label: t(`how-${name}-${mode}`),
           hint: t(`how-${name}-${mode}-hint`),
         })),
-        draft.settings[`mode_${name}`],
-        (mode) => draft.setMode(`mode_${name}`, mode),
-      ),
+        chosen: settings.value[`mode_${name}`],
+        onChange: (mode) => change({ ...settings.value, [`mode_${name}`]: /** @type {Settings["mode_u1"]} */ (mode) }),
+      }),
     );
   return h(
     "section",
@@ -36,48 +37,51 @@ export function modesCard(draft) {
   );
 }
 
-/**
- * `showLowered` notes where a smaller limit than the set's own applies.
- * @param {ControlsDraft} draft
- */
-export function speedsCard(draft) {
-  const rows = speedRows(draft.settings.speeds, draft.limits, (name, value) => draft.setSpeed(name, value), {
-    hasNumbers: false,
-  });
-  const showLowered = () => {
-    for (const speed of SPEEDS) {
-      const [own, limit] = [draft.settings.speeds[speed.name], draft.view.held?.[speed.name]];
-      rows.note(speed.name, limit < own ? t("speed-held", { value: speedWords(speed, limit) }) : "");
-    }
-  };
-  /** @param {"u1" | "u2"} axis */
-  const keeps = (axis) => draft.settings[`mode_${axis}`] === "acceleration";
-  showLowered();
-  const element = h(
+/** A remark stands where a smaller limit than the set's own applies. @param {{store: ControlsStore}} card */
+export function SpeedsCard({ store }) {
+  const { settings, view, change } = store;
+  const { speeds, mode_u1: ahead, mode_u2: turning } = settings.value;
+  const { limits, held, parameters } = view.value;
+  const lower = SPEEDS.filter(({ name }) => held[name] < parameters.speeds[name]);
+  return h(
     "section",
     { class: "card" },
     h("h2", {}, t("speeds-title")),
-    rows.elements,
-    value(draft, "cutoff", { step: 0.5, digits: 1 }),
-    keeps("u1") && value(draft, "cruise_time", { step: 1, digits: 0 }),
-    keeps("u2") && value(draft, "turn_cruise_time", { step: 1, digits: 0 }),
+    h(SpeedRows, {
+      speeds,
+      limits,
+      notes: Object.fromEntries(
+        lower.map((speed) => [speed.name, t("speed-held", { value: speedWords(speed, held[speed.name]) })]),
+      ),
+      onChange: (name, value) => change({ ...settings.value, speeds: { ...settings.value.speeds, [name]: value } }),
+    }),
+    h(Value, { store, name: "cutoff", step: 0.5, digits: 1 }),
+    ahead === "acceleration" && h(Value, { store, name: "cruise_time", step: 1, digits: 0 }),
+    turning === "acceleration" && h(Value, { store, name: "turn_cruise_time", step: 1, digits: 0 }),
   );
-  return { element, showLowered };
 }
 
-/** @param {ControlsDraft} draft @param {ValueName} name @param {{step: number, digits: number}} scale */
-function value(draft, name, { step, digits }) {
-  const [low, high] = draft.limits[name];
+/**
+ * A setting that is one number.
+ * @param {object} value
+ * @param {ControlsStore} value.store @param {"cutoff" | "cruise_time" | "turn_cruise_time"} value.name
+ * @param {number} value.step @param {number} value.digits after the point
+ */
+function Value({ store: { settings, view, change }, name, step, digits }) {
+  const [low, high] = view.value.limits[name];
   const label = t(`speed-${name}`);
-  const control = stepper({
-    label,
-    value: draft.settings[name],
-    low,
-    high,
-    step,
-    digits,
-    unit: t(`unit-${name}`),
-    onChange: (chosen) => draft.setValue(name, chosen),
-  });
-  return setting(label, t(`speed-${name}-hint`), control);
+  return h(
+    Setting,
+    { title: label, hint: t(`speed-${name}-hint`) },
+    h(Stepper, {
+      label,
+      value: settings.value[name],
+      low,
+      high,
+      step,
+      digits,
+      unit: t(`unit-${name}`),
+      onChange: (value) => change({ ...settings.value, [name]: value }),
+    }),
+  );
 }

@@ -2,39 +2,33 @@
  * How demanding the test felt: six sliders of the NASA task load index, each of which may be left out.
  * @import { InterfaceTestView } from "types/api"
  */
-import { numberLimits } from "../../reference.js";
 import { failureWords } from "../../api.js";
+import { h, useRef, useSignal } from "../../preact.js";
+import { numberLimits } from "../../reference.js";
 import { t } from "../../texts.js";
-import { h, put, set, write } from "../../widgets/dom.js";
 import { number } from "../../widgets/format.js";
 
 const QUESTIONS = /** @type {const} */ (["mental", "physical", "temporal", "performance", "effort", "frustration"]);
 const STEP = 5;
 const MIDDLE = 50; // where a slider stands that nobody has moved
 
-/** null: left out @typedef {Record<(typeof QUESTIONS)[number], number | null>} Answers */
+/** @typedef {(typeof QUESTIONS)[number]} QuestionName */
+/** null: left out @typedef {Record<QuestionName, number | null>} Answers */
 
-/** @param {import("../../main.js").App} app @param {InterfaceTestView} test */
-export function workloadCard(app, test) {
-  /** @type {Answers} */
-  const answers = {
-    mental: null,
-    physical: null,
-    temporal: null,
-    performance: null,
-    effort: null,
-    frustration: null,
-    ...test.workload,
-  };
-  const problem = h("p", { class: "problem", role: "alert" });
-  const status = h("p", { class: "quiet", role: "status" }, sum(test));
+/** @type {Answers} */
+const NO_ANSWERS = { mental: null, physical: null, temporal: null, performance: null, effort: null, frustration: null };
+
+/** @param {{app: import("../../main.js").App, test: InterfaceTestView}} card */
+export function WorkloadCard({ app, test }) {
+  const answers = useSignal({ ...NO_ANSWERS, ...test.workload });
+  const reply = useSignal(/** @type {InterfaceTestView | null} */ (null)); // what the server answered
+  const problem = useSignal("");
   const save = async () => {
-    write(problem, "");
+    problem.value = "";
     try {
-      const saved = await app.api.put(`/interface-tests/${test.id}/workload`, answers);
-      write(status, `${t("test-workload-saved")} ${sum(saved)}`);
+      reply.value = await app.api.put(`/interface-tests/${test.id}/workload`, answers.value);
     } catch (error) {
-      write(problem, failureWords(error));
+      problem.value = failureWords(error);
     }
   };
   return h(
@@ -45,71 +39,78 @@ export function workloadCard(app, test) {
     h(
       "div",
       { class: "workload-questions" },
-      QUESTIONS.map((name) => question(name, answers)),
+      QUESTIONS.map((name) =>
+        h(Question, {
+          key: name,
+          name,
+          answer: answers.value[name],
+          onAnswer: (answer) => (answers.value = { ...answers.value, [name]: answer }),
+        }),
+      ),
     ),
-    problem,
+    h("p", { class: "problem", role: "alert" }, problem.value),
     h(
       "div",
       { class: "spread" },
-      h("button", { type: "button", class: "btn", onclick: save }, t("test-workload-save")),
-      status,
+      h("button", { type: "button", class: "btn", onClick: save }, t("test-workload-save")),
+      h(
+        "p",
+        { class: "quiet", role: "status" },
+        reply.value ? `${t("test-workload-saved")} ${sum(reply.value)}` : sum(test),
+      ),
     ),
   );
 }
 
-/** @param {(typeof QUESTIONS)[number]} name @param {Answers} answers */
-function question(name, answers) {
+/** @param {{name: QuestionName, answer: number | null, onAnswer: (answer: number | null) => void}} question */
+function Question({ name, answer, onAnswer }) {
+  const input = useRef(/** @type {HTMLInputElement | null} */ (null));
   const id = `workload-${name}`;
-  const value = h("output", { for: id, class: "number" });
-  const input = h("input", {
-    type: "range",
-    id,
-    ...numberLimits("Workload", name),
-    step: STEP,
-    "aria-describedby": `${id}-ends`,
-  });
-  const clear = h(
-    "button",
-    {
-      type: "button",
-      class: "btn small bare",
-      "aria-label": t("test-workload-clear", { question: t(`test-workload-${name}`) }),
-    },
-    t("test-workload-leave-out"),
-  );
-  const show = () => {
-    const answer = answers[name];
-    const words = answer === null ? t("test-workload-none") : String(answer);
-    input.classList.toggle("unanswered", answer === null);
-    set(input, { "aria-valuetext": words });
-    write(value, words);
-    clear.hidden = answer === null;
+  const words = answer === null ? t("test-workload-none") : String(answer);
+  const read = () => onAnswer(Number(input.current?.value));
+  const leaveOut = () => {
+    onAnswer(null);
+    input.current?.focus();
   };
-  input.value = String(answers[name] ?? MIDDLE);
-  const take = () => {
-    answers[name] = Number(input.value);
-    show();
-  };
-  input.addEventListener("input", take);
-  // A tap on the middle, where the slider stands already, is an answer too.
-  input.addEventListener("click", take);
-  clear.addEventListener("click", () => {
-    answers[name] = null;
-    input.value = String(MIDDLE);
-    show();
-    input.focus();
-  });
-  const [low, high] = [h("span", {}), h("span", {})];
-  put(low, t(`test-workload-low-${name === "performance" ? name : "other"}`));
-  put(high, t(`test-workload-high-${name === "performance" ? name : "other"}`));
-  show();
   return h(
     "div",
     { class: "workload-question" },
-    h("div", { class: "row" }, h("label", { for: id }, t(`test-workload-${name}`)), value),
-    input,
-    h("div", { class: "row small quiet", id: `${id}-ends` }, low, high),
-    clear,
+    h(
+      "div",
+      { class: "row" },
+      h("label", { for: id }, t(`test-workload-${name}`)),
+      h("output", { for: id, class: "number" }, words),
+    ),
+    h("input", {
+      type: "range",
+      id,
+      ...numberLimits("Workload", name),
+      step: STEP,
+      class: answer === null ? "unanswered" : undefined,
+      value: String(answer ?? MIDDLE),
+      "aria-describedby": `${id}-ends`,
+      "aria-valuetext": words,
+      ref: input,
+      onInput: read,
+      onClick: read, // a tap on the middle, where the slider stands already, is an answer too
+    }),
+    h(
+      "div",
+      { class: "row small quiet", id: `${id}-ends` },
+      h("span", {}, t(`test-workload-low-${name === "performance" ? name : "other"}`)),
+      h("span", {}, t(`test-workload-high-${name === "performance" ? name : "other"}`)),
+    ),
+    h(
+      "button",
+      {
+        type: "button",
+        class: "btn small bare",
+        hidden: answer === null,
+        "aria-label": t("test-workload-clear", { question: t(`test-workload-${name}`) }),
+        onClick: leaveOut,
+      },
+      t("test-workload-leave-out"),
+    ),
   );
 }
 

@@ -3,11 +3,11 @@
  * @import { Speeds } from "types/api"
  */
 import { failureWords } from "../../api.js";
-import { h, useMemo, useSignal } from "../../preact.js";
+import { h, useRef, useSignal } from "../../preact.js";
 import { t } from "../../texts.js";
 import { facts } from "../../widgets/facts.js";
 import { Made, useUntilGone } from "../../widgets/made.js";
-import { SPEEDS, speedRows, speedWords } from "../../widgets/speed_rows.js";
+import { SpeedRows, SPEEDS, speedWords } from "../../widgets/speed_rows.js";
 
 const REST = 500; // ms without another change, then it is sent
 
@@ -16,49 +16,45 @@ const REST = 500; // ms without another change, then it is sent
  *   first: what GET /limits answered
  */
 export function LimitsCard({ app, first, isOwner, left }) {
+  const limits = useRef(first); // as the server has them
+  const wishes = useSignal(first);
   const state = useSignal("");
   const problem = useSignal("");
-  const refusals = useSignal(0);
-  const draft = useMemo(() => ({ limits: first, wishes: { ...first }, timer: 0 }), []);
+  const timer = useRef(0); // until the wishes are sent; 0: none wait
   const send = async () => {
-    draft.timer = 0;
+    timer.current = 0;
     problem.value = "";
     try {
-      draft.limits = await app.api.put("/limits", draft.wishes);
+      limits.current = await app.api.put("/limits", wishes.value);
       state.value = t("limits-saved");
     } catch (error) {
       state.value = "";
       problem.value = failureWords(error);
-      draft.wishes = { ...draft.limits };
-      refusals.value++; // the steppers stand as before
+      wishes.value = limits.current;
     }
   };
   /** @param {keyof Speeds} name @param {number} value */
   const change = (name, value) => {
-    draft.wishes[name] = value;
+    wishes.value = { ...wishes.value, [name]: value };
     state.value = t("limits-saving");
-    clearTimeout(draft.timer);
-    draft.timer = setTimeout(send, REST);
+    clearTimeout(timer.current);
+    timer.current = setTimeout(send, REST);
   };
   useUntilGone(left, (gone) =>
     gone.addEventListener("abort", () => {
-      clearTimeout(draft.timer);
-      if (draft.timer) send();
+      clearTimeout(timer.current);
+      if (timer.current) send();
     }),
   );
-  const make = () => {
-    const place = document.createDocumentFragment();
-    if (isOwner) place.append(...speedRows(draft.wishes, {}, change, { hasNumbers: true }).elements);
-    else place.append(inWords(draft.limits));
-    return place;
-  };
   return h(
     "section",
     { class: "card" },
     h("h2", {}, t("limits-title"), h("span", { class: "quiet small", role: "status" }, state)),
     h("p", { class: "quiet small" }, t("limits-lead")),
     h("p", { class: "problem", role: "alert" }, problem),
-    h(Made, { key: refusals.value, left, make }),
+    isOwner
+      ? h(SpeedRows, { speeds: wishes.value, hasNumbers: true, onChange: change })
+      : h(Made, { left, make: () => inWords(first) }),
   );
 }
 

@@ -4,10 +4,10 @@
  */
 import { limitsOf, numberLimits, REFERENCE, textLimits } from "../../reference.js";
 import { failureWords } from "../../api.js";
-import { focusFirst, h, useMemo, useSignal } from "../../preact.js";
+import { focusFirst, h, useSignal } from "../../preact.js";
 import { t } from "../../texts.js";
 import { Field } from "../../widgets/fields.js";
-import { speedRows } from "../../widgets/speed_rows.js";
+import { SpeedRows } from "../../widgets/speed_rows.js";
 
 /**
  * @param {object} form
@@ -17,18 +17,13 @@ import { speedRows } from "../../widgets/speed_rows.js";
 export function PairForm({ app, onPaired, onClose }) {
   const problem = useSignal("");
   const isSending = useSignal(false); // a second tap would pair a second chair
-  const speeds = useMemo(() => /** @type {Speeds} */ ({ ...REFERENCE.numbers.first_speeds }), []);
-  /** @type {(details: HTMLElement | null) => void} */
-  const appendSpeeds = useMemo(() => {
-    const rows = speedRows(speeds, {}, (which, value) => (speeds[which] = value), { hasNumbers: true }).elements;
-    return (details) => details?.append(...rows);
-  }, []);
+  const speeds = useSignal(/** @type {Speeds} */ ({ ...REFERENCE.numbers.first_speeds }));
   /** @param {Event} event */
   const submit = async (event) => {
     event.preventDefault();
     const entered = new FormData(/** @type {HTMLFormElement} */ (event.currentTarget));
     const [name, host] = ["name", "host"].map((field) => String(entered.get(field)).trim());
-    const chair = { name, host, port: Number(entered.get("port")), speeds };
+    const chair = { name, host, port: Number(entered.get("port")), speeds: speeds.value };
     problem.value = "";
     isSending.value = true;
     try {
@@ -67,9 +62,14 @@ export function PairForm({ app, onPaired, onClose }) {
     ),
     h(
       "details",
-      { ref: appendSpeeds },
+      {},
       h("summary", {}, t("pair-speeds")),
       h("p", { class: "quiet small" }, t("pair-speeds-hint")),
+      h(SpeedRows, {
+        speeds: speeds.value,
+        hasNumbers: true,
+        onChange: (which, value) => (speeds.value = { ...speeds.value, [which]: value }),
+      }),
     ),
     h("p", { class: "problem", role: "alert" }, problem),
     h(
