@@ -12,7 +12,7 @@ import { moment } from "../../widgets/format.js";
 /** @param {{store: BackupStore}} card */
 export function IncidentsCard({ store }) {
   const { incidents, fingerprint } = store.view.value;
-  const lifting = useSignal(/** @type {number | null} */ (null)); // id of the incident whose mark somebody is about to lift
+  const lifting = useSignal(/** @type {number | null} */ (null)); // id of an incident
   /** @param {IncidentView} incident */
   const row = (incident) => {
     const { id, hash, patients, lifted, reason } = incident;

@@ -27,7 +27,10 @@ export function backupStore(app, first, left) {
     if (now) show(now);
     else timer = setTimeout(look, LOOK_EVERY);
   };
-  /** Send a change and show its answer; return why it was refused, otherwise "". @param {() => Promise<BackupsView>} send */
+  /**
+   * Send a change and show its answer; return why it was refused, otherwise "".
+   * @param {() => Promise<BackupsView>} send
+   */
   const change = async (send) => {
     try {
       show(await send());

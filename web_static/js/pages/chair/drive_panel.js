@@ -1,5 +1,5 @@
 /**
- * While the real chair is armed: how fast it goes, whether it may, what the body does, what the chair says; dial and end.
+ * While the real chair is armed: how fast it goes, whether it may, what the body does, what the chair says; dial, end.
  * @import { App } from "../../main.js"
  * @import { LiveMessage } from "../../live/live.js"
  * @import { Halt } from "../../shell/halt.js"
@@ -51,8 +51,8 @@ function panelStore(app, read, id, left) {
   /** @param {LiveMessage} now */
   const show = (now) => {
     isSeen ||= now.drive?.id === id;
-    // A drive that is missing in the live picture has ended, here or on another screen. The first pictures after the start
-    // may be older than the drive.
+    // A drive that is missing in the live picture has ended, here or on another screen. The first pictures after the
+    // start may be older than the drive.
     if (!now.drive && now.control === "alive" && (isSeen || performance.now() - openedAt > FIRST_PICTURES))
       return app.go(`#/drive/chair/over/${id}`);
     latest.value = now;

@@ -12,8 +12,8 @@ import { gestureWithin, gestureWords, jointLabels, TOGETHER } from "../../widget
 const SHORTEST = 1.2; // FS/s or FS: the bar's end at least
 
 /**
- * Each gesture that does something, in words, alone and `within` a sentence, with what it does; the stop gesture's parts
- * among them.
+ * Each gesture that does something, in words, alone and `within` a sentence, with what it does; the stop gesture's
+ * parts among them.
  * @param {DriveParameters} parameters
  */
 export function boundGestures({ profile, gestures, bindings }) {
@@ -36,7 +36,7 @@ function valueOf({ name }, now) {
   return now?.rate[now.gestures.indexOf(name)] ?? 0;
 }
 
-/** The gestures that count now, as words within a sentence. @param {BoundGesture[]} gestures @param {LiveMessage} now */
+/** The gestures that count now, within a sentence. @param {BoundGesture[]} gestures @param {LiveMessage} now */
 export function movingWords(gestures, now) {
   const moving = gestures.filter(({ gesture }) => valueOf(gesture, now) > gesture.dead_zone);
   return moving.map(({ within }) => within).join(", ");
