@@ -1,101 +1,95 @@
 /**
  * What arming would apply: the set, its modes, the speeds that hold and why, and whether it was practised like this.
  * @import { ParametersSummary } from "types/api"
- * @import { Child } from "types/dom"
- * @import { FullReading, FullSummary } from "./arming.js"
- * @typedef {FullReading & {dial: number}} Application what arming would apply, and the dial's share
- * @typedef {[Child, Child, Child]} Row what, how it stands, remark
+ * @import { Fact } from "./fact_list.js"
+ * @import { Application, ArmingStore, FullSummary } from "./store.js"
  */
+import { h } from "../../preact.js";
 import { t } from "../../texts.js";
-import { h, put } from "../../widgets/dom.js";
-import { field, selection } from "../../widgets/fields.js";
+import { Field, Selection } from "../../widgets/fields.js";
 import { moment, number, percent } from "../../widgets/format.js";
 import { SPEEDS, speedWords } from "../../widgets/speed_rows.js";
 import { differenceWords } from "./difference_words.js";
+import { FactList } from "./fact_list.js";
 
 const FIRST = new Set(["forward", "reverse", "turn"]); // what a person feels first; the others are folded away
 const FINGERPRINT = 8; // digits that people compare
 const EQUAL = 1e-6;
 
-/**
- * `show` draws it again when something has changed.
- * @param {{onLoad: (title: string) => void, onPractise: () => void}} act
- */
-export function armingSummary({ onLoad, onPractise }) {
-  const place = h("div", { class: "stack" });
-  const title = h("h2", {}, t("apply-card"));
-  let shown = "";
-  let isOpen = false;
-  /** @param {Application} read */
-  const show = (read) => {
-    const key = JSON.stringify([read.summary, read.controls.saved, read.controls.hash, read.clinic, read.dial]);
-    if (key === shown) return;
-    shown = key;
-    const more = h("details", { open: isOpen }, h("summary", {}, t("apply-more")), details(read));
-    more.addEventListener("toggle", () => (isOpen = more.open));
-    put(place, chosenSet(read, onLoad), main(read), practice(read.summary, onPractise), more);
-  };
-  return { element: h("section", { class: "card" }, title, place), title, show };
-}
-
-/** @param {Application} read @param {(title: string) => void} onLoad */
-function chosenSet({ controls, summary }, onLoad) {
-  const { title } = summary.parameters;
-  const titles = [...new Set([title, ...controls.saved])];
-  const change = h("a", { class: "btn bare small", href: "#/controls" }, t("apply-change"));
-  if (titles.length === 1) return h("div", { class: "row" }, h("b", { class: "set-title" }, title), change);
-  const select = selection(
-    titles.map((one) => ({ value: one, label: one })),
-    title,
-    onLoad,
-  );
-  return h("div", { class: "row chosen-set" }, h("div", { class: "grow" }, field(t("apply-set"), select)), change);
-}
-
-/** @param {Application} read */
-function main(read) {
-  return [figures(read), how(read.summary.parameters)];
-}
-
-/** The speeds that a person feels first, in large figures. @param {Application} read */
-function figures(read) {
-  const shown = SPEEDS.filter(({ name }) => FIRST.has(name)).map((speed) => limit(speed, read));
+/** @param {{store: ArmingStore, step: number}} card step: its number before arming */
+export function ArmingSummary({ store, step }) {
+  const read = store.reading.value;
   return h(
-    "dl",
-    { class: "first-speeds" },
-    shown.map(([name, value, why]) =>
-      h("div", {}, h("dt", {}, name), h("dd", { class: "number" }, value, why && h("small", {}, why))),
+    "section",
+    { class: "card" },
+    h("h2", {}, h("span", { class: "step-number" }, step), t("apply-card")),
+    h(
+      "div",
+      { class: "stack" },
+      h(ChosenSet, { read, onLoad: store.load }),
+      h(FirstSpeeds, { read }),
+      h(FactList, { facts: modes(read.summary.parameters) }),
+      h(Practice, { summary: read.summary, onPractise: store.chooseVirtual }),
+      h("details", {}, h("summary", {}, t("apply-more")), h(FactList, { facts: details(read) })),
     ),
   );
 }
 
-/** @param {ParametersSummary} set */
-function how({ mode_u1, mode_u2, cruise_time, turn_cruise_time }) {
-  return rows(
-    [t("apply-forward-back"), t(`how-u1-${mode_u1}`), t(`how-u1-${mode_u1}-hint`)],
-    [t("apply-turning"), t(`how-u2-${mode_u2}`), t(`how-u2-${mode_u2}-hint`)],
-    mode_u1 === "acceleration" && [t("apply-cruise"), t("apply-cruise-value", { time: number(cruise_time, 0) }), ""],
-    mode_u2 === "acceleration" && [
-      t("apply-turn-cruise"),
-      t("apply-turn-cruise-value", { time: number(turn_cruise_time, 0) }),
-      "",
-    ],
+/** @param {{read: Application, onLoad: (title: string) => void}} set */
+function ChosenSet({ read: { controls, summary }, onLoad }) {
+  const { title } = summary.parameters;
+  const titles = [...new Set([title, ...controls.saved])];
+  const change = h("a", { class: "btn bare small", href: "#/controls" }, t("apply-change"));
+  if (titles.length === 1) return h("div", { class: "row" }, h("b", { class: "set-title" }, title), change);
+  const options = titles.map((one) => ({ value: one, label: one }));
+  const select = h(Selection, { options, chosen: title, onChange: onLoad });
+  return h(
+    "div",
+    { class: "row chosen-set" },
+    h("div", { class: "grow" }, h(Field, { label: t("apply-set") }, select)),
+    change,
   );
 }
 
-/** @param {Application} read */
+/** The speeds that a person feels first, in large figures. @param {{read: Application}} speeds */
+function FirstSpeeds({ read }) {
+  const facts = SPEEDS.filter(({ name }) => FIRST.has(name)).map((speed) => limit(speed, read));
+  return h(
+    "dl",
+    { class: "first-speeds" },
+    facts.map(([name, value, why]) =>
+      h("div", { key: name }, h("dt", {}, name), h("dd", { class: "number" }, value, why && h("small", {}, why))),
+    ),
+  );
+}
+
+/** @param {ParametersSummary} set @returns {Fact[]} */
+function modes({ mode_u1, mode_u2, cruise_time, turn_cruise_time }) {
+  /** @type {Fact[]} */
+  const facts = [
+    [t("apply-forward-back"), t(`how-u1-${mode_u1}`), t(`how-u1-${mode_u1}-hint`)],
+    [t("apply-turning"), t(`how-u2-${mode_u2}`), t(`how-u2-${mode_u2}-hint`)],
+  ];
+  if (mode_u1 === "acceleration")
+    facts.push([t("apply-cruise"), t("apply-cruise-value", { time: number(cruise_time, 0) })]);
+  if (mode_u2 === "acceleration")
+    facts.push([t("apply-turn-cruise"), t("apply-turn-cruise-value", { time: number(turn_cruise_time, 0) })]);
+  return facts;
+}
+
+/** @param {Application} read @returns {Fact[]} */
 function details(read) {
   const { cutoff, hash } = read.summary.parameters;
-  return rows(
+  return [
     ...SPEEDS.filter(({ name }) => !FIRST.has(name)).map((speed) => limit(speed, read)),
-    [t("speed-cutoff"), `${number(cutoff, 1)} ${t("unit-cutoff")}`, ""],
+    [t("speed-cutoff"), `${number(cutoff, 1)} ${t("unit-cutoff")}`],
     [t("apply-hash"), h("code", {}, hash.slice(0, FINGERPRINT)), t("apply-hash-hint")],
-  );
+  ];
 }
 
 /**
  * One limit, and the level that sets it where it is not the set's own.
- * @param {typeof SPEEDS[number]} speed @param {Application} read @returns {Row}
+ * @param {typeof SPEEDS[number]} speed @param {Application} read @returns {Fact}
  */
 function limit(speed, { summary, controls, clinic, chair, dial }) {
   const applied = summary.speeds[speed.name];
@@ -107,27 +101,13 @@ function limit(speed, { summary, controls, clinic, chair, dial }) {
   return [t(`speed-${speed.name}`), speedWords(speed, applied), why];
 }
 
-/** @param {...(Row | false)} all */
-function rows(...all) {
-  return h(
-    "dl",
-    { class: "fact-list" },
-    all.map((row) => {
-      if (!row) return null;
-      const [name, value, remark] = row;
-      return h("div", {}, h("dt", {}, name), h("dd", { class: "number" }, value, remark && h("small", {}, remark)));
-    }),
-  );
-}
-
-/** @param {FullSummary} summary @param {() => void} onPractise */
-function practice({ practised: { trials, last }, last_practised: before, differences }, onPractise) {
-  if (trials > 0)
-    return rows([
-      t("apply-practised"),
-      t("apply-practised-trials", { count: trials, when: last ? moment(last) : "" }),
-      "",
-    ]);
+/** @param {{summary: FullSummary, onPractise: () => void}} practice */
+function Practice({ summary: { practised, last_practised: before, differences }, onPractise }) {
+  const { trials, last } = practised;
+  if (trials > 0) {
+    const words = t("apply-practised-trials", { count: trials, when: last ? moment(last) : "" });
+    return h(FactList, { facts: [[t("apply-practised"), words]] });
+  }
   return h(
     "div",
     { class: "unpractised" },
@@ -142,8 +122,8 @@ function practice({ practised: { trials, last }, last_practised: before, differe
       h(
         "ul",
         {},
-        differences.map((difference) => h("li", {}, differenceWords(difference))),
+        differences.map(differenceWords).map((words) => h("li", { key: words }, words)),
       ),
-    h("button", { type: "button", class: "btn small", onclick: onPractise }, t("apply-practise")),
+    h("button", { type: "button", class: "btn small", onClick: onPractise }, t("apply-practise")),
   );
 }

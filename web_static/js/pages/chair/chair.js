@@ -1,10 +1,11 @@
 /**
  * The real chair: what to look at before it is armed, the panel while it drives, what the drive came to.
- * @import { FullReading } from "./arming.js"
+ * @import { FullReading } from "./store.js"
  */
-import { readArming, showArming } from "./arming.js";
+import { showArming } from "./arming.js";
 import { showDrivePanel } from "./drive_panel.js";
 import { showDriveSummary } from "./drive_summary.js";
+import { readArming } from "./store.js";
 
 const FIRST_PICTURE = 2000; // ms to wait for the live picture after the page was loaded
 

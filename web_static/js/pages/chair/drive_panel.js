@@ -1,21 +1,24 @@
 /**
- * While the real chair is armed: how fast it goes, whether it may, what the body does, what the chair says; dial and end.
+ * While the real chair is armed: how fast it goes, whether it may, what the body does, what the chair says; dial, end.
  * @import { App } from "../../main.js"
  * @import { LiveMessage } from "../../live/live.js"
- * @import { Reading } from "./arming.js"
+ * @import { Halt } from "../../shell/halt.js"
+ * @import { Reading } from "./store.js"
+ * @typedef {ReturnType<typeof panelStore>} PanelStore
  */
+import { computed, drawFoot, drawPage, Fragment, h, signal, useLayoutEffect, useRef } from "../../preact.js";
+import { urgency } from "../../shell/halt.js";
 import { t } from "../../texts.js";
-import { isSimulated } from "./arming.js";
-import { chairCard } from "../../widgets/chair_card.js";
 import { cross } from "../../widgets/control_cross.js";
 import { speedDial } from "../../widgets/dial.js";
-import { h, put, set, write } from "../../widgets/dom.js";
+import { h as make } from "../../widgets/dom.js";
 import { clock, number } from "../../widgets/format.js";
-import { gestureLevels } from "./gesture_levels.js";
-import { stopWords } from "./neutral_card.js";
-import { urgency } from "../../shell/halt.js";
+import { Made } from "../../widgets/made.js";
 import { pads } from "../../widgets/pads.js";
 import { faultCard, waitWords } from "../../widgets/trial_cue.js";
+import { ChairCard } from "./chair_card.js";
+import { boundGestures, GestureLevels, stopWords } from "./gesture_levels.js";
+import { bodyOf } from "./store.js";
 
 const DEGREES = 180 / Math.PI;
 const STRAIGHT = 1; // °/s: a smaller turn rate is called straight on
@@ -24,151 +27,167 @@ const BACKWARDS = -0.005; // m/s
 
 /**
  * @param {App} app @param {HTMLElement} root @param {Reading} read
- * @param {number} id of the drive @param {AbortSignal} signal
+ * @param {number} id of the drive @param {AbortSignal} left
  */
-export function showDrivePanel(app, root, read, id, signal) {
-  const name = read.chair?.name ?? "";
-  const end = endButton(app);
-  const time = h("span", { class: "number" });
-  const state = stateCard(app, h("p", { class: "quiet about" }, name, " · ", time), end.run);
-  const speed = speedCard(app, read, signal);
+export function showDrivePanel(app, root, read, id, left) {
+  const store = panelStore(app, read, id, left);
+  drawPage(root, h(Page, { store }));
+  drawFoot(root, h(Foot, { store }));
+  app.setShowsTrial(true);
+  root.querySelector("h1")?.focus({ preventScroll: true });
+}
+
+/** @param {App} app @param {Reading} read @param {number} id of the drive @param {AbortSignal} left */
+function panelStore(app, read, id, left) {
+  const latest = signal(/** @type {LiveMessage | null} */ (null)); // the newest live picture of the drive
+  const chair = signal(app.live.latest?.chair ?? null); // as it told of itself last
+  const time = computed(() => clock(latest.value?.drive?.t ?? 0));
+  const state = signal({ key: "", name: "", halt: /** @type {Halt | null} */ (null) });
+  const isEnding = signal(false);
   const square = cross();
-  const chair = chairCard(app.live, signal);
-  const isVisitor = read.equipment.body?.kind === "visitor";
-  const levels = gestureLevels(read.controls.parameters);
+  const waits = waitWords("driving-paused");
   const openedAt = performance.now();
   let isSeen = false;
   /** @param {LiveMessage} now */
   const show = (now) => {
     isSeen ||= now.drive?.id === id;
-    // A drive that is missing in the live picture has ended, here or on another screen. The first pictures after the start
-    // may be older than the drive.
+    // A drive that is missing in the live picture has ended, here or on another screen. The first pictures after the
+    // start may be older than the drive.
     if (!now.drive && now.control === "alive" && (isSeen || performance.now() - openedAt > FIRST_PICTURES))
       return app.go(`#/drive/chair/over/${id}`);
-    write(time, clock(now.drive?.t ?? 0));
-    state.show(now);
-    speed.show(now);
-    square.show(now.u1 ?? 0, now.u2 ?? 0);
-    levels.show(now);
-  };
-  app.live.addEventListener("tick", ({ detail }) => show(detail), { signal });
-  put(
-    root,
-    h(
-      "div",
-      { class: "body" },
-      h("h1", { class: "unseen", tabindex: "-1" }, t("driving-title", { name })),
-      h(
-        "div",
-        { class: "drive-panel" },
-        state.element,
-        speed.element,
-        h("section", { class: "card commands" }, h("h2", {}, t("driving-commands")), square.element),
-        h("div", { class: "chair-report" }, chair.element),
-        h(
-          "section",
-          { class: "card movements" },
-          h("h2", {}, t("driving-movements")),
-          isVisitor && pads(app, signal, { hasNote: false }).element,
-          levels.element,
-          h("p", { class: "small" }, stopWords(read.controls.parameters)),
-        ),
-      ),
-    ),
-    h(
-      "div",
-      { class: "foot" },
-      h("span", { class: "grow" }, isSimulated(app, read) && `${t("chair-simulated")} `, t("arm-front")),
-      end.element,
-    ),
-  );
-  app.setShowsTrial(true);
-  root.querySelector("h1")?.focus({ preventScroll: true });
-  square.show(0, 0);
-  if (app.live.latest?.drive) show(app.live.latest);
-}
-
-/**
- * Resting, driving, or stopped: then why, what to do, and Continue.
- * @param {App} app @param {Node} about @param {() => void} onEnd
- */
-function stateCard(app, about, onEnd) {
-  const place = h("div", { class: "grow", "aria-live": "polite" });
-  const element = h("section", { class: "card drive-state" }, place, about);
-  const waits = waitWords("driving-paused");
-  let shown = "";
-  /** @param {LiveMessage} now */
-  const show = (now) => {
+    latest.value = now;
+    chair.value = now.chair ?? chair.value;
     waits.show(now.drive?.waits);
+    square.show(now.u1 ?? 0, now.u2 ?? 0);
     const halt = app.halt(now.fault, now.stops);
     const key = halt?.key ?? now.state;
-    if (key === shown) return;
-    shown = key;
-    element.dataset.state = now.state;
-    set(place, { "aria-live": urgency(halt) });
-    app.root.scrollTop = 0; // the fault and Continue must be in view
-    if (halt) {
-      const end = h("button", { type: "button", class: "btn", onclick: onEnd }, t("driving-end"));
-      put(place, faultCard(app, halt, waits.element, end));
-    } else put(place, h("div", { class: "huge long" }, t(`driving-${key}`)), h("p", {}, t(`driving-${key}-why`)));
+    if (key !== state.value.key) state.value = { key, name: now.state, halt };
   };
-  return { element, show };
+  const end = async () => {
+    isEnding.value = true;
+    const drive = await app.toasts.attempt(() => app.api.post("/drives/current/end"));
+    if (drive) return app.go(`#/drive/chair/over/${drive.id}`);
+    isEnding.value = false;
+  };
+  square.show(0, 0);
+  if (app.live.latest?.drive) show(app.live.latest);
+  app.live.addEventListener("tick", ({ detail }) => show(detail), { signal: left });
+  const signals = { latest, chair, time, state, isEnding };
+  return { app, left, read, name: read.chair?.name ?? "", ...bodyOf(app, read), ...signals, square, waits, end };
 }
 
-/** @param {App} app @param {Reading} read @param {AbortSignal} signal */
-function speedCard(app, read, signal) {
-  const [speed, way, upTo] = [h("span", {}), h("p", { class: "way" }), h("span", { class: "quiet small number" })];
-  /** How fast forward the chair may go, m/s. @param {number | undefined} dial */
-  const highest = (dial) => {
-    // The summary was read with the dial as it stood then; the set's own limits do not change while it is armed.
-    const { parameters } = read.controls;
-    const levels = [parameters.speeds, read.clinic, ...(read.chair ? [read.chair.speeds] : [])];
-    return (dial ?? 1) * Math.min(...levels.map(({ forward }) => forward));
-  };
-  /** @param {{v: number | null, omega: number | null}} twist @param {number | undefined} dial */
-  const showTwist = ({ v: velocity, omega }, dial) => {
-    const v = velocity ?? 0;
-    const turn = (omega ?? 0) * DEGREES;
-    write(speed, number(Math.abs(v), 2));
-    const turning = `driving-turn-${turn > 0 ? "left" : "right"}`;
-    const words = [
-      v < BACKWARDS ? t("driving-reverse") : "",
-      Math.abs(turn) < STRAIGHT ? "" : t(turning, { turn: number(Math.abs(turn), 0) }),
-    ];
-    write(way, words.filter(Boolean).join(", ") || (v ? t("driving-straight") : t("driving-stands")));
-    write(upTo, t("dial-up-to", { speed: number(highest(dial), 2) }));
-  };
-  /** @param {LiveMessage} now */
-  const show = (now) => showTwist(now.chair ?? now, now.dial);
-  const element = h(
+/** @param {{store: PanelStore}} page */
+function Page({ store }) {
+  const { app, left, name, read, latest, chair, square, isVisitor } = store;
+  const { parameters } = read.controls;
+  return h(
+    Fragment,
+    {},
+    h("h1", { class: "unseen", tabindex: -1 }, t("driving-title", { name })),
+    h(
+      "div",
+      { class: "drive-panel" },
+      h(StateCard, { store }),
+      h(SpeedCard, { store }),
+      h(
+        "section",
+        { class: "card commands" },
+        h("h2", {}, t("driving-commands")),
+        h(Made, { left, make: () => square.element }),
+      ),
+      h("div", { class: "chair-report" }, h(ChairCard, { chair })),
+      h(
+        "section",
+        { class: "card movements" },
+        h("h2", {}, t("driving-movements")),
+        isVisitor && h(Made, { left, make: (gone) => pads(app, gone, { hasNote: false }).element }),
+        h(GestureLevels, { gestures: boundGestures(parameters), latest }),
+        h("p", { class: "small" }, stopWords(parameters)),
+      ),
+    ),
+  );
+}
+
+/** Resting, driving, or stopped: then why, what to do, and Continue. @param {{store: PanelStore}} card */
+function StateCard({ store: { app, name, time, state, waits, end } }) {
+  const { key, halt, name: word } = state.value;
+  const place = useRef(/** @type {HTMLDivElement | null} */ (null));
+  useLayoutEffect(() => {
+    app.root.scrollTop = 0; // the fault and Continue must be in view
+    const button = () => make("button", { type: "button", class: "btn", onclick: end }, t("driving-end"));
+    place.current?.replaceChildren(...(halt ? [faultCard(app, halt, waits.element, button())] : []));
+  }, [key]);
+  return h(
+    "section",
+    { class: "card drive-state", "data-state": word || undefined },
+    h(
+      "div",
+      { class: "grow", "aria-live": urgency(halt) },
+      h("div", { ref: place }),
+      key !== "" &&
+        !halt &&
+        h(
+          Fragment,
+          { key },
+          h("div", { class: "huge long" }, t(`driving-${key}`)),
+          h("p", {}, t(`driving-${key}-why`)),
+        ),
+    ),
+    h("p", { class: "quiet about" }, name, " · ", h("span", { class: "number" }, time)),
+  );
+}
+
+/** @param {{store: PanelStore}} card */
+function SpeedCard({ store: { app, left, read, latest } }) {
+  const now = latest.value;
+  const twist = now?.chair ?? now;
+  const v = twist?.v ?? 0;
+  const turn = (twist?.omega ?? 0) * DEGREES;
+  const turning = `driving-turn-${turn > 0 ? "left" : "right"}`;
+  const words = [
+    v < BACKWARDS ? t("driving-reverse") : "",
+    Math.abs(turn) < STRAIGHT ? "" : t(turning, { turn: number(Math.abs(turn), 0) }),
+  ];
+  const way = words.filter(Boolean).join(", ") || (v ? t("driving-straight") : t("driving-stands"));
+  const highest = highestSpeed(read, (now ?? app.live.latest)?.dial ?? 1);
+  return h(
     "section",
     { class: "card drive-speed" },
     h("h2", {}, t("driving-speed")),
-    h("div", { class: "big giant" }, speed, h("small", {}, t("unit-speed"))),
-    way,
+    h("div", { class: "big giant" }, h("span", {}, number(Math.abs(v), 2)), h("small", {}, t("unit-speed"))),
+    h("p", { class: "way" }, way),
     h(
       "div",
       { class: "dial" },
       h("b", { class: "small" }, t("dial-title")),
-      h("div", { class: "spread" }, speedDial(app, signal), upTo),
+      h(
+        "div",
+        { class: "spread" },
+        h(Made, { class: "in-place", left, make: (gone) => speedDial(app, gone) }),
+        h("span", { class: "quiet small number" }, t("dial-up-to", { speed: number(highest, 2) })),
+      ),
       h("p", { class: "quiet small" }, t("dial-hint")),
     ),
   );
-  showTwist({ v: 0, omega: 0 }, app.live.latest?.dial);
-  return { element, show };
 }
 
-/** @param {App} app */
-function endButton(app) {
-  const element = h("button", { type: "button", class: "btn large" }, t("driving-end"));
-  const run = async () => {
-    element.disabled = true;
-    write(element, t("driving-ending"));
-    const drive = await app.toasts.attempt(() => app.api.post("/drives/current/end"));
-    if (drive) return app.go(`#/drive/chair/over/${drive.id}`);
-    element.disabled = false;
-    write(element, t("driving-end"));
-  };
-  element.addEventListener("click", run);
-  return { element, run };
+/** How fast forward the chair may go, m/s. @param {Reading} read @param {number} dial its share now */
+function highestSpeed({ controls, clinic, chair }, dial) {
+  // The summary was read with the dial as it stood then; the set's own limits do not change while it is armed.
+  const levels = [controls.parameters.speeds, clinic, ...(chair ? [chair.speeds] : [])];
+  return dial * Math.min(...levels.map(({ forward }) => forward));
+}
+
+/** @param {{store: PanelStore}} foot */
+function Foot({ store: { isSimulated, isEnding, end } }) {
+  return h(
+    Fragment,
+    {},
+    h("span", { class: "grow" }, isSimulated && `${t("chair-simulated")} `, t("arm-front")),
+    h(
+      "button",
+      { type: "button", class: "btn large", disabled: isEnding.value, onClick: end },
+      t(isEnding.value ? "driving-ending" : "driving-end"),
+    ),
+  );
 }

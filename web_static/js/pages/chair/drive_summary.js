@@ -1,28 +1,31 @@
 /** A drive of the real chair that is over: how far, how long, how it ended. */
+import { drawFoot, drawPage, Fragment, h } from "../../preact.js";
 import { hasText, t } from "../../texts.js";
-import { h, put } from "../../widgets/dom.js";
 import { clock, moment, number } from "../../widgets/format.js";
 
-/** @param {import("../../main.js").App} app @param {HTMLElement} root @param {number} id @param {AbortSignal} signal */
-export async function showDriveSummary(app, root, id, signal) {
+/** @param {import("../../main.js").App} app @param {HTMLElement} root @param {number} id @param {AbortSignal} left */
+export async function showDriveSummary(app, root, id, left) {
   const patient = app.session?.patient;
   const drives = patient ? await app.api.get(`/drives?patient=${patient.id}`) : [];
-  if (signal.aborted) return;
+  if (left.aborted) return;
   const drive = drives.find((one) => one.id === id);
-  put(
+  drawPage(
     root,
     h(
-      "div",
-      { class: "body" },
-      h("h1", { tabindex: "-1" }, t("driven-title")),
+      Fragment,
+      {},
+      h("h1", { tabindex: -1 }, t("driven-title")),
       h("p", { class: "lead" }, drive ? moment(drive.started) : t("driven-gone")),
       drive && figures(drive),
       drive && h("p", { class: "quiet small" }, t("over-source", { source: drive.source.description })),
       drive && h("p", { class: "quiet small fingerprint" }, t("driven-hash", { hash: drive.hash.slice(0, 8) })),
     ),
+  );
+  drawFoot(
+    root,
     h(
-      "div",
-      { class: "foot" },
+      Fragment,
+      {},
       h("span", { class: "grow" }),
       h("a", { class: "btn go", href: "#/drive/chair" }, t("driven-again")),
     ),
@@ -33,8 +36,6 @@ export async function showDriveSummary(app, root, id, signal) {
 function figures({ distance, started, ended, end }) {
   const time = ended ? (Date.parse(ended) - Date.parse(started)) / 1000 : null;
   const how = `driven-end-${end}`;
-  /** @param {string} title @param {...import("types/dom").Child} value */
-  const figure = (title, ...value) => h("section", { class: "card" }, h("h2", {}, t(title)), value);
   return h(
     "div",
     { class: "large-figures" },
@@ -42,4 +43,9 @@ function figures({ distance, started, ended, end }) {
     figure("driven-time", h("div", { class: "big" }, time === null ? "–" : clock(time))),
     figure("driven-end", h("p", { class: "how-ended" }, hasText(how) ? t(how) : end)),
   );
+}
+
+/** @param {string} title key of a text @param {import("../../preact.js").ComponentChildren} value */
+function figure(title, value) {
+  return h("section", { class: "card" }, h("h2", {}, t(title)), value);
 }

@@ -1,53 +1,45 @@
 /**
  * Whether the body is at rest: every bound gesture against its mark, in words, and the gesture that stops the chair.
- * @import { DriveParameters } from "types/api"
  * @import { LiveMessage } from "../../live/live.js"
  */
+import { h, useSignal } from "../../preact.js";
 import { t } from "../../texts.js";
-import { h, put, write } from "../../widgets/dom.js";
-import { gestureLevels, stopGesture } from "./gesture_levels.js";
+import { useUntilGone } from "../../widgets/made.js";
+import { GestureLevels, movingWords, stopGesture, stopWords } from "./gesture_levels.js";
 
-/** @param {import("../../live/live.js").Live} live @param {AbortSignal} signal */
-export function neutralCard(live, signal) {
-  const title = h("h2", {}, t("neutral-card"));
-  const words = h("p", { class: "at-rest", role: "status" });
-  const place = h("div", {});
-  const stop = h("p", { class: "small" });
-  /** @type {ReturnType<typeof gestureLevels> | null} */
-  let levels = null;
-  let used = "";
-  /** @param {{parameters: DriveParameters, hash: string}} controls what would drive */
-  const use = ({ parameters, hash }) => {
-    if (hash === used) return;
-    used = hash;
-    levels = gestureLevels(parameters, (moving) => {
-      words.classList.toggle("moves", moving.length > 0);
-      write(words, moving.length ? t("neutral-moves", { gestures: moving.join(", ") }) : t("neutral-rest"));
-    });
-    put(place, levels.element);
-    write(stop, stopWords(parameters));
-    stop.classList.toggle("quiet", stopGesture(parameters) !== "");
-  };
-  /** @param {CustomEvent<LiveMessage>} event */
-  const show = ({ detail: now }) => {
-    if (now.shirt.alive) levels?.show(now);
-    else write(words, t("neutral-no-shirt"));
-  };
-  live.addEventListener("tick", show, { signal });
-  const element = h(
+const SETTLED = 300; // ms: what changes sooner is not said in words
+
+/** @param {{store: import("./store.js").ArmingStore, step: number}} card step: its number before arming */
+export function NeutralCard({ store: { app, left, reading, gestures }, step }) {
+  const latest = useSignal(/** @type {LiveMessage | null} */ (null)); // of a shirt that sends
+  const moving = useSignal(""); // the gestures that count
+  const words = useSignal("");
+  useUntilGone(left, (signal) => {
+    /** @type {string | null} */
+    let wanted = null;
+    let wantedAt = 0;
+    app.live.addEventListener(
+      "tick",
+      ({ detail: now }) => {
+        if (!now.shirt.alive) return void (words.value = t("neutral-no-shirt"));
+        latest.value = now;
+        const found = movingWords(gestures.value, now);
+        if (found !== wanted) [wanted, wantedAt] = [found, performance.now()];
+        if (performance.now() - wantedAt < SETTLED) return;
+        moving.value = found;
+        words.value = found ? t("neutral-moves", { gestures: found }) : t("neutral-rest");
+      },
+      { signal },
+    );
+  });
+  const { parameters } = reading.value.controls;
+  return h(
     "section",
     { class: "card" },
-    title,
+    h("h2", {}, h("span", { class: "step-number" }, step), t("neutral-card")),
     h("p", { class: "quiet" }, t("neutral-lead")),
-    place,
-    words,
-    stop,
+    h("div", {}, h(GestureLevels, { gestures: gestures.value, latest })),
+    h("p", { class: moving.value ? "at-rest moves" : "at-rest", role: "status" }, words),
+    h("p", { class: stopGesture(parameters) ? "small quiet" : "small" }, stopWords(parameters)),
   );
-  return { element, title, use };
-}
-
-/** @param {DriveParameters} parameters */
-export function stopWords(parameters) {
-  const gestures = stopGesture(parameters);
-  return gestures ? t("neutral-stop", { gestures }) : t("neutral-no-stop");
 }
