@@ -1,29 +1,29 @@
 /**
  * Deleted patients: how many days are left, undo, and erase for good now.
- * @import { BackupsView, DeletedPatientView } from "types/api"
+ * @import { DeletedPatientView } from "types/api"
  */
-import { focusFirst, Fragment, h, render, signal } from "../../preact.js";
+import { focusFirst, h, useSignal } from "../../preact.js";
 import { REFERENCE } from "../../reference.js";
 import { t } from "../../texts.js";
 
 const DAY = 86_400_000; // ms
 
-/** @param {import("../../main.js").App} app @param {BackupsView} first @param {(view: BackupsView) => void} onChanged */
-export function deletedCard(app, first, onChanged) {
-  const view = signal(first);
-  const erasing = signal(/** @type {number | null} */ (null)); // id of the patient whom somebody is about to erase
+/** @param {{store: import("./store.js").BackupStore}} card */
+export function DeletedCard({ store: { app, view, show } }) {
+  const { deleted } = view.value;
+  const erasing = useSignal(/** @type {number | null} */ (null)); // id of the patient whom somebody is about to erase
   /** @param {DeletedPatientView} patient */
   const undo = (patient) =>
     app.toasts.attempt(async () => {
       await app.api.post(`/patients/${patient.id}/restore`);
-      onChanged(await app.api.get("/backups"));
+      show(await app.api.get("/backups"));
       app.toasts.show(t("deleted-undone", { code: patient.code }));
     });
   /** @param {DeletedPatientView} patient */
   const erase = (patient) => {
     erasing.value = null;
     return app.toasts.attempt(async () => {
-      onChanged(await app.api.post(`/deleted-patients/${patient.id}/erasure`));
+      show(await app.api.post(`/deleted-patients/${patient.id}/erasure`));
       app.toasts.show(t("deleted-erased", { code: patient.code }));
     });
   };
@@ -58,24 +58,17 @@ export function deletedCard(app, first, onChanged) {
         ),
     );
   };
-  const Card = () => {
-    const { deleted } = view.value;
-    return h(
-      Fragment,
-      {},
-      h("h2", {}, t("deleted-title")),
-      h("p", { class: "quiet small" }, t("deleted-lead", { days: REFERENCE.numbers.deleted_days })),
-      h(
-        "div",
-        { class: "made-backups", role: deleted.length ? "list" : undefined },
-        deleted.length ? deleted.map(row) : h("p", { class: "quiet" }, t("deleted-none")),
-      ),
-    );
-  };
-  const element = document.createElement("section");
-  element.className = "card";
-  render(h(Card, {}), element);
-  return { element, draw: (/** @type {BackupsView} */ now) => void (view.value = now) };
+  return h(
+    "section",
+    { class: "card" },
+    h("h2", {}, t("deleted-title")),
+    h("p", { class: "quiet small" }, t("deleted-lead", { days: REFERENCE.numbers.deleted_days })),
+    h(
+      "div",
+      { class: "made-backups", role: deleted.length ? "list" : undefined },
+      deleted.length ? deleted.map(row) : h("p", { class: "quiet" }, t("deleted-none")),
+    ),
+  );
 }
 
 /** @param {string} words @param {string} label @param {() => unknown} onClick */

@@ -1,96 +1,87 @@
 /**
  * Incidents: the archives that were made, and the mark that keeps their patients, which an owner lifts with a reason.
- * @import { BackupsView, IncidentView } from "types/api"
+ * @import { IncidentView } from "types/api"
+ * @import { BackupStore } from "./store.js"
  */
 import { textLimits } from "../../reference.js";
-import { failureWords } from "../../api.js";
+import { focusFirst, h, useSignal } from "../../preact.js";
 import { t } from "../../texts.js";
-import { h, write } from "../../widgets/dom.js";
-import { field } from "../../widgets/fields.js";
+import { Field } from "../../widgets/fields.js";
 import { moment } from "../../widgets/format.js";
-import { rowList } from "../../widgets/list.js";
 
-/** @param {import("../../main.js").App} app @param {BackupsView} first @param {(view: BackupsView) => void} onChanged */
-export function incidentsCard(app, first, onChanged) {
-  const list = rowList("made-backups");
-  const key = h("p", { class: "small fingerprint" });
-  let shown = first;
-  /** @type {number | null} id of the incident whose mark somebody is about to lift */
-  let lifting = null;
-  const draw = (view = shown) => {
-    shown = view;
-    list.show(view.incidents.map(row), h("p", { class: "quiet" }, t("incidents-none")));
-    write(key, view.fingerprint && `${t("incidents-key")}: ${view.fingerprint}`);
-  };
-  /** @param {IncidentView | null} incident */
-  const ask = (incident) => {
-    lifting = incident?.id ?? null;
-    draw();
-    list.querySelector("input")?.focus();
-  };
-  /** @param {IncidentView} incident */
-  const form = (incident) => {
-    const reason = h("input", { type: "text", required: true, ...textLimits("Lifting", "reason") });
-    const problem = h("p", { class: "problem", role: "alert" });
-    /** @param {SubmitEvent} event */
-    const submit = async (event) => {
-      event.preventDefault();
-      try {
-        const view = await app.api.post(`/incidents/${incident.id}/lifting`, { reason: reason.value.trim() });
-        lifting = null;
-        onChanged(view);
-      } catch (error) {
-        write(problem, failureWords(error));
-      }
-    };
-    return h(
-      "form",
-      { class: "confirm stack", onsubmit: submit },
-      field(t("deleted-reason"), reason, t("deleted-reason-hint")),
-      problem,
-      h(
-        "div",
-        { class: "spread" },
-        h("button", { class: "btn go" }, t("incidents-lift")),
-        h("button", { type: "button", class: "btn", onclick: () => ask(null) }, t("cancel")),
-      ),
-    );
-  };
+/** @param {{store: BackupStore}} card */
+export function IncidentsCard({ store }) {
+  const { incidents, fingerprint } = store.view.value;
+  const lifting = useSignal(/** @type {number | null} */ (null)); // id of an incident
   /** @param {IncidentView} incident */
   const row = (incident) => {
+    const { id, hash, patients, lifted, reason } = incident;
     const when = moment(incident.made);
     return h(
       "div",
-      { class: "made-backup" },
-      h("span", { class: "fingerprint" }, t("incidents-of", { when, hash: incident.hash.slice(0, 16) })),
-      h("div", { class: "quiet small" }, t("incidents-patients", { count: incident.patients.length })),
-      incident.lifted
-        ? h(
-            "p",
-            { class: "small" },
-            t("incidents-lifted", { when: moment(incident.lifted), reason: incident.reason ?? "" }),
-          )
+      { class: "made-backup", role: "listitem", key: id },
+      h("span", { class: "fingerprint" }, t("incidents-of", { when, hash: hash.slice(0, 16) })),
+      h("div", { class: "quiet small" }, t("incidents-patients", { count: patients.length })),
+      lifted
+        ? h("p", { class: "small" }, t("incidents-lifted", { when: moment(lifted), reason: reason ?? "" }))
         : h(
             "button",
             {
               type: "button",
               class: "btn small",
               "aria-label": t("incidents-lift-label", { when }),
-              onclick: () => ask(incident),
+              onClick: () => (lifting.value = id),
             },
             t("incidents-lift"),
           ),
-      lifting === incident.id && form(incident),
+      lifting.value === id && h(LiftingForm, { store, id, onClose: () => (lifting.value = null) }),
     );
   };
-  draw();
-  const element = h(
+  return h(
     "section",
     { class: "card" },
     h("h2", {}, t("incidents-title")),
     h("p", { class: "quiet small" }, t("incidents-lead")),
-    list,
-    key,
+    h(
+      "div",
+      { class: "made-backups", role: incidents.length ? "list" : undefined },
+      incidents.length ? incidents.map(row) : h("p", { class: "quiet" }, t("incidents-none")),
+    ),
+    h("p", { class: "small fingerprint" }, fingerprint && `${t("incidents-key")}: ${fingerprint}`),
   );
-  return { element, draw };
+}
+
+/** @param {{store: BackupStore, id: number, onClose: () => void}} form id: of an incident */
+function LiftingForm({ store: { app, change }, id, onClose }) {
+  const problem = useSignal("");
+  /** @param {Event} event */
+  const submit = async (event) => {
+    event.preventDefault();
+    const entered = new FormData(/** @type {HTMLFormElement} */ (event.currentTarget));
+    const reason = String(entered.get("reason")).trim();
+    problem.value = await change(() => app.api.post(`/incidents/${id}/lifting`, { reason }));
+    if (!problem.value) onClose();
+  };
+  return h(
+    "form",
+    { class: "confirm stack", onSubmit: submit },
+    h(
+      Field,
+      { label: t("deleted-reason"), hint: t("deleted-reason-hint") },
+      h("input", {
+        name: "reason",
+        type: "text",
+        required: true,
+        ...textLimits("Lifting", "reason"),
+        ref: focusFirst,
+      }),
+    ),
+    h("p", { class: "problem", role: "alert" }, problem),
+    h(
+      "div",
+      { class: "spread" },
+      h("button", { class: "btn go" }, t("incidents-lift")),
+      h("button", { type: "button", class: "btn", onClick: onClose }, t("cancel")),
+    ),
+  );
 }

@@ -2,89 +2,73 @@
  * The backups that were made, whether something is wrong with them, and one now with its course.
  * @import { BackupsView, MadeBackupView } from "types/api"
  */
-import { failureWords } from "../../api.js";
+import { Fragment, h, useSignal } from "../../preact.js";
 import { t } from "../../texts.js";
-import { h, put, write } from "../../widgets/dom.js";
 import { moment, size } from "../../widgets/format.js";
-import { icon } from "../../widgets/icons.js";
-import { rowList } from "../../widgets/list.js";
+import { Icon } from "../../widgets/icons.js";
 
-const LOOK_EVERY = 1000; // ms
+const MOST_ROWS = 8;
 
-/** @param {import("../../main.js").App} app @param {BackupsView} first @param {AbortSignal} signal */
-export function madeCard(app, first, signal) {
-  const warning = h("p", { class: "backup-warning" });
-  const clock = h("p", { class: "backup-warning" });
-  const last = h("p", { role: "status" });
-  const title = h("h3", {}, t("backup-list"));
-  const go = h("button", { type: "button", class: "btn go" }, t("backup-now"));
-  const step = h("p", { class: "number", "aria-hidden": "true" });
-  const bar = h("progress", { max: 1, value: 0, "aria-label": t("backup-progress") });
-  const course = h(
-    "div",
-    { class: "measuring", hidden: true },
-    step,
-    bar,
-    h("p", { class: "quiet small" }, t("backup-while")),
-  );
-  const problem = h("p", { class: "problem", role: "alert" });
-  const list = rowList("made-backups");
-  let timer = 0;
-  let wasMaking = false;
-  /** @param {BackupsView} view */
-  const draw = (view) => {
-    clearTimeout(timer);
-    const isMaking = view.course !== null;
-    put(warning, view.warning && [icon("warning", 20), h("b", {}, view.warning)]);
-    put(clock, view.clock && [icon("warning", 20), h("b", {}, view.clock)]);
-    if (!isMaking && wasMaking) app.toasts.show(t(view.made[0]?.good ? "backup-done" : "backup-failed"));
-    write(last, view.last_good ? t("backup-last", { when: moment(view.last_good) }) : "");
-    list.show(view.made.slice(0, 8).map(row));
-    title.hidden = !view.made.length;
-    go.disabled = isMaking || view.folder === null;
-    course.hidden = !isMaking;
-    if (view.course) {
-      const { step: name, done, total } = view.course;
-      write(step, total ? t(`backup-${name}`, { done: size(done), total: size(total) }) : t("backup-begins"));
-      bar.value = total ? done / total : 0;
-      if (!signal.aborted) timer = setTimeout(look, LOOK_EVERY);
-    }
-    wasMaking = isMaking;
+/** @param {{store: import("./store.js").BackupStore}} card */
+export function MadeCard({ store: { app, view, change } }) {
+  const { warning, clock, last_good: last, folder, course, made } = view.value;
+  const problem = useSignal("");
+  const backUp = async () => {
+    problem.value = "";
+    problem.value = await change(() => app.api.post("/backups"));
   };
-  const look = async () => {
-    const view = await app.api.get("/backups").catch(() => null);
-    if (signal.aborted) return;
-    if (view) draw(view);
-    else timer = setTimeout(look, LOOK_EVERY);
-  };
-  go.addEventListener("click", async () => {
-    write(problem, "");
-    try {
-      draw(await app.api.post("/backups"));
-    } catch (error) {
-      write(problem, failureWords(error));
-    }
-  });
-  signal.addEventListener("abort", () => clearTimeout(timer));
-  draw(first);
-  const element = h(
+  return h(
     "section",
     { class: "card stack" },
     h("h2", {}, t("backup-state-title")),
-    warning,
-    clock,
-    last,
-    h("div", {}, go),
-    course,
-    problem,
-    title,
-    list,
+    warningLine(warning),
+    warningLine(clock),
+    h("p", { role: "status" }, last && t("backup-last", { when: moment(last) })),
+    h(
+      "div",
+      {},
+      h(
+        "button",
+        { type: "button", class: "btn go", disabled: course !== null || folder === null, onClick: backUp },
+        t("backup-now"),
+      ),
+    ),
+    h(
+      "div",
+      { class: "measuring", hidden: !course },
+      h("p", { class: "number", "aria-hidden": "true" }, course && courseWords(course)),
+      h("progress", {
+        max: 1,
+        value: course?.total ? course.done / course.total : 0,
+        "aria-label": t("backup-progress"),
+      }),
+      h("p", { class: "quiet small" }, t("backup-while")),
+    ),
+    h("p", { class: "problem", role: "alert" }, problem),
+    h("h3", { hidden: !made.length }, t("backup-list")),
+    h(
+      "div",
+      { class: "made-backups", role: made.length ? "list" : undefined },
+      made.slice(0, MOST_ROWS).map((one) => h(Row, { key: `${one.at} ${one.place} ${one.name}`, made: one })),
+    ),
   );
-  return { element, draw };
 }
 
-/** @param {MadeBackupView} made */
-function row(made) {
+/** @param {string} words */
+const warningLine = (words) =>
+  h(
+    "p",
+    { class: "backup-warning" },
+    words && h(Fragment, {}, h(Icon, { name: "warning", size: 20 }), h("b", {}, words)),
+  );
+
+/** @param {NonNullable<BackupsView["course"]>} course */
+function courseWords({ step, done, total }) {
+  return total ? t(`backup-${step}`, { done: size(done), total: size(total) }) : t("backup-begins");
+}
+
+/** @param {{made: MadeBackupView}} row */
+function Row({ made }) {
   const facts = {
     files: made.files,
     size: size(made.bytes),
@@ -93,7 +77,7 @@ function row(made) {
   };
   return h(
     "div",
-    { class: "made-backup" },
+    { class: "made-backup", role: "listitem" },
     h("b", {}, moment(made.at)),
     " ",
     h("span", { class: made.good ? "tag" : "tag bad" }, t(made.good ? "backup-good" : "backup-bad")),

@@ -1,64 +1,50 @@
-/**
- * Where the backups of every night go, from which hour on, and whether they are encrypted.
- * @import { BackupsView } from "types/api"
- */
+/** Where the backups of every night go, from which hour on, and whether they are encrypted. */
 import { textLimits } from "../../reference.js";
-import { failureWords } from "../../api.js";
+import { h, useMemo, useSignal } from "../../preact.js";
 import { t } from "../../texts.js";
-import { h, write } from "../../widgets/dom.js";
-import { field, selection, toggle } from "../../widgets/fields.js";
+import { Field, Selection, Toggle } from "../../widgets/fields.js";
 
-/** @param {import("../../main.js").App} app @param {BackupsView} settings @param {(view: BackupsView) => void} onSaved */
-export function nightCard(app, settings, onSaved) {
-  const folder = h("input", {
-    type: "text",
-    autocomplete: "off",
-    spellcheck: "false",
-    ...textLimits("BackupSettings", "folder"),
-    value: settings.folder ?? "",
-  });
-  const hours = Array.from({ length: 24 }, (_, hour) => ({
-    value: String(hour),
-    label: `${String(hour).padStart(2, "0")}:00`,
-  }));
-  const hour = selection(hours, String(settings.hour));
-  let { encrypted, with_keys: withKeys } = settings;
-  const passphrase = h("input", {
-    type: "password",
-    autocomplete: "new-password",
-    ...textLimits("BackupSettings", "passphrase"),
-  });
-  const secret = field(
-    t("backup-passphrase"),
-    passphrase,
-    t(settings.encrypted ? "backup-passphrase-kept" : "backup-passphrase-new", {
-      count: textLimits("BackupSettings", "passphrase").minlength,
-    }),
-  );
-  secret.hidden = !encrypted;
-  const problem = h("p", { class: "problem", role: "alert" });
-  const go = h("button", { class: "btn" }, t("backup-save"));
-  /** @param {SubmitEvent} event */
+const HOURS = Array.from({ length: 24 }, (_, hour) => ({
+  value: String(hour),
+  label: `${String(hour).padStart(2, "0")}:00`,
+}));
+
+/** @param {{store: import("./store.js").BackupStore}} card */
+export function NightCard({ store: { app, view, change } }) {
+  const first = useMemo(() => view.peek(), []);
+  const folder = useSignal(first.folder ?? "");
+  const hour = useSignal(String(first.hour));
+  const isEncrypted = useSignal(first.encrypted);
+  const withKeys = useSignal(first.with_keys);
+  const passphrase = useSignal("");
+  const problem = useSignal("");
+  const isSending = useSignal(false);
+  /** @param {Event} event */
   const submit = async (event) => {
     event.preventDefault();
-    write(problem, "");
-    go.disabled = true;
-    try {
-      const view = await app.api.put("/backups/settings", {
-        folder: folder.value.trim() || null,
-        hour: Number(hour.value),
-        encrypted,
-        with_keys: withKeys,
-        passphrase: (encrypted && passphrase.value) || null,
-      });
-      passphrase.value = "";
-      app.toasts.show(t("backup-saved"));
-      onSaved(view);
-    } catch (error) {
-      write(problem, failureWords(error));
-    }
-    go.disabled = false;
+    const settings = {
+      folder: folder.value.trim() || null,
+      hour: Number(hour.value),
+      encrypted: isEncrypted.value,
+      with_keys: withKeys.value,
+      passphrase: (isEncrypted.value && passphrase.value) || null,
+    };
+    problem.value = "";
+    isSending.value = true;
+    problem.value = await change(() => app.api.put("/backups/settings", settings));
+    isSending.value = false;
+    if (problem.value) return;
+    passphrase.value = "";
+    app.toasts.show(t("backup-saved"));
   };
+  /** @param {{value: string}} typed */
+  const input = (typed) => ({
+    value: typed.value,
+    onInput: (/** @type {Event} */ { currentTarget }) =>
+      void (typed.value = /** @type {HTMLInputElement} */ (currentTarget).value),
+  });
+  const limits = textLimits("BackupSettings", "passphrase");
+  const passphraseHint = view.value.encrypted ? "backup-passphrase-kept" : "backup-passphrase-new";
   return h(
     "section",
     { class: "card" },
@@ -66,17 +52,37 @@ export function nightCard(app, settings, onSaved) {
     h("p", { class: "quiet small" }, t("backup-kept")),
     h(
       "form",
-      { class: "stack", onsubmit: submit },
-      field(t("backup-folder"), folder, t("backup-folder-hint")),
-      field(t("backup-hour"), hour),
-      toggle(t("backup-encrypted"), encrypted, (on) => {
-        encrypted = on;
-        secret.hidden = !on;
+      { class: "stack", onSubmit: submit },
+      h(
+        Field,
+        { label: t("backup-folder"), hint: t("backup-folder-hint") },
+        h("input", {
+          type: "text",
+          autocomplete: "off",
+          spellcheck: false,
+          ...textLimits("BackupSettings", "folder"),
+          ...input(folder),
+        }),
+      ),
+      h(
+        Field,
+        { label: t("backup-hour") },
+        h(Selection, { options: HOURS, chosen: hour.value, onChange: (value) => (hour.value = value) }),
+      ),
+      h(Toggle, {
+        label: t("backup-encrypted"),
+        on: isEncrypted.value,
+        onChange: (on) => (isEncrypted.value = on),
       }),
-      secret,
-      toggle(t("backup-with-keys"), withKeys, (on) => (withKeys = on)),
-      problem,
-      h("div", {}, go),
+      isEncrypted.value &&
+        h(
+          Field,
+          { label: t("backup-passphrase"), hint: t(passphraseHint, { count: limits.minlength }) },
+          h("input", { type: "password", autocomplete: "new-password", ...limits, ...input(passphrase) }),
+        ),
+      h(Toggle, { label: t("backup-with-keys"), on: withKeys.value, onChange: (on) => (withKeys.value = on) }),
+      h("p", { class: "problem", role: "alert" }, problem),
+      h("div", {}, h("button", { class: "btn", disabled: isSending.value }, t("backup-save"))),
     ),
   );
 }

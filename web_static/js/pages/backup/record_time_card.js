@@ -1,32 +1,19 @@
-/**
- * For how many years after the last session records must be kept.
- * @import { BackupsView } from "types/api"
- */
+/** For how many years after the last session records must be kept. */
 import { numberLimits } from "../../reference.js";
-import { failureWords } from "../../api.js";
+import { h, useSignal } from "../../preact.js";
 import { t } from "../../texts.js";
-import { h, write } from "../../widgets/dom.js";
-import { field } from "../../widgets/fields.js";
+import { Field } from "../../widgets/fields.js";
 
-/** @param {import("../../main.js").App} app @param {BackupsView} kept @param {(view: BackupsView) => void} onSaved */
-export function recordTimeCard(app, kept, onSaved) {
-  const years = h("input", {
-    type: "number",
-    ...numberLimits("RecordTime", "years"),
-    step: 1,
-    value: kept.years ?? "",
-  });
-  const problem = h("p", { class: "problem", role: "alert" });
-  /** @param {SubmitEvent} event */
+/** @param {{store: import("./store.js").BackupStore}} card */
+export function RecordTimeCard({ store: { app, view, change } }) {
+  const problem = useSignal("");
+  /** @param {Event} event */
   const submit = async (event) => {
     event.preventDefault();
-    write(problem, "");
-    try {
-      onSaved(await app.api.put("/record-keeping", { years: years.value ? Number(years.value) : null }));
-      app.toasts.show(t("backup-saved"));
-    } catch (error) {
-      write(problem, failureWords(error));
-    }
+    const entered = new FormData(/** @type {HTMLFormElement} */ (event.currentTarget)).get("years");
+    problem.value = "";
+    problem.value = await change(() => app.api.put("/record-keeping", { years: entered ? Number(entered) : null }));
+    if (!problem.value) app.toasts.show(t("backup-saved"));
   };
   return h(
     "section",
@@ -34,9 +21,19 @@ export function recordTimeCard(app, kept, onSaved) {
     h("h2", {}, t("records-title")),
     h(
       "form",
-      { class: "stack", onsubmit: submit },
-      field(t("records-years"), years, t("records-years-hint")),
-      problem,
+      { class: "stack", onSubmit: submit },
+      h(
+        Field,
+        { label: t("records-years"), hint: t("records-years-hint") },
+        h("input", {
+          name: "years",
+          type: "number",
+          ...numberLimits("RecordTime", "years"),
+          step: 1,
+          defaultValue: view.value.years === null ? "" : String(view.value.years),
+        }),
+      ),
+      h("p", { class: "problem", role: "alert" }, problem),
       h("div", {}, h("button", { class: "btn" }, t("backup-save"))),
     ),
   );
