@@ -23,7 +23,7 @@ NPM: Final = ("ci", "--omit=dev", "--ignore-scripts", "--no-audit", "--no-fund",
 PATIENCE: Final = ("--fetch-retries=2", "--fetch-retry-mintimeout=1000", "--fetch-retry-maxtimeout=5000")  # ms
 ASKED: Final = ("package.json", "package-lock.json", ".npmrc")
 
-IMPORTED: Final = re.compile(r"""\bfrom *["']([^."'][^"']*)["']""")
+IMPORTED: Final = re.compile(r"""\bfrom *["']([^."'\s][^"'\s]*)["']""")
 SEVERAL_ON_A_LINE: Final = re.compile(r"""(\bfrom *["'][^"']+["'];)(?=import|export)""")
 SOURCE_MAP: Final = re.compile(r"//# sourceMappingURL=\S+\n?")
 WHY: Final = re.compile(r"^npm error (?!code |syscall |errno )(.+)", re.MULTILINE)
@@ -48,6 +48,7 @@ class CopiedFile(NamedTuple):
     source: str
     name: str  # of the copy, in web_static/vendor/PACKAGE/
     module: str = ""  # the name by which other modules import it; TypeScript finds its types by this name
+    exported: str = "*"  # what the types of the copy pass on
 
     @property
     def place(self) -> str:
@@ -64,7 +65,7 @@ FILES: Final = (
     CopiedFile("preact", "hooks/dist/hooks.mjs", "hooks.js", "preact/hooks"),
     CopiedFile("@preact/signals", "dist/signals.mjs", "signals.js", "@preact/signals"),
     CopiedFile("@preact/signals-core", "dist/signals-core.mjs", "signals-core.js", "@preact/signals-core"),
-    CopiedFile("plotly.js-basic-dist-min", "plotly-basic.min.js", "plotly-basic.min.js"),
+    CopiedFile("uplot", "dist/uPlot.esm.js", "uPlot.js", "uplot", "{ default }"),
 )
 MODULES: Final = {file.module: file for file in FILES if file.module}
 
@@ -163,7 +164,7 @@ def _copy(root: Path, node_modules: Path, folder: Path) -> None:
         copy.write_text(_linked(text, file) if file.module else text, "utf-8")
         if file.module:
             # The types of the copy are those of the package in node_modules.
-            copy.with_suffix(".d.ts").write_text(f'export * from "{file.module}";\n', "utf-8")
+            copy.with_suffix(".d.ts").write_text(f'export {file.exported} from "{file.module}";\n', "utf-8")
 
 
 def _licence(root: Path, node_modules: Path, package: LockedPackage) -> str:

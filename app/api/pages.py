@@ -38,7 +38,6 @@ KINDS: Final = {
     ".webmanifest": "application/manifest+json",
 }
 FIRST: Final = {"index.html": ["js/pages/drive/drive.js"]}  # modules that an entry imports as soon as it has started
-LARGE: Final = 200_000  # bytes: such a script is compressed when a page first asks for it, not at the start
 FOR_EVER: Final = "public, max-age=31536000, immutable"
 ASK_AGAIN: Final = "no-cache"  # a browser asks each time whether its copy is still good
 
@@ -78,11 +77,7 @@ class PageFiles:
 
     def __init__(self, contents: dict[str, bytes], *, is_at_once: bool) -> None:
         self._contents = contents
-        self._files = {
-            name: _page_file(name, content)
-            for name, content in contents.items()
-            if is_at_once and len(content) <= LARGE
-        }
+        self._files = {name: _page_file(name, content) for name, content in contents.items() if is_at_once}
 
     def __contains__(self, name: str) -> bool:
         return name in self._contents

@@ -50,7 +50,7 @@ def _spend_session(page: Page, address: str) -> None:
         if stopped.is_visible():  # a machine that is busy may stop the chair
             stopped.click()
     page.goto(f"{address}#/review")
-    expect(page.locator(".js-plotly-plot").first).to_be_visible()
+    expect(page.locator(".chart canvas").first).to_be_visible()
     page.goto(f"{address}#/review/1/trial/1")
     expect(page.locator("iframe").first).to_be_visible()
 

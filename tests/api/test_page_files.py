@@ -124,7 +124,7 @@ def test_a_file_is_only_read(client: Any) -> None:
     assert client.post("/css/one.css").status_code == 405
 
 
-def test_a_script_of_others_is_compressed_when_it_is_first_asked_for(tmp_path: Path) -> None:
+def test_a_script_of_others_is_served_as_a_file_of_the_pages(tmp_path: Path) -> None:
     pages = Pages(put(tmp_path, **{"vendor/charts.js": "draw()", "vendor/charts-LICENSE.txt": "MIT"}))
     app = Starlette()
     app.mount("/", pages)

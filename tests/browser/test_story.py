@@ -94,7 +94,7 @@ def from_the_shirt_to_a_scored_drive(page, keep):
     keep("trial-over-second")
 
     go_to(page, "review")
-    expect(page.locator(".js-plotly-plot").first).to_be_visible()
+    expect(page.locator(".chart canvas").first).to_be_visible()
     page.wait_for_timeout(1000)
     keep("review")
 

@@ -82,7 +82,7 @@ def take() -> None:
         drives(page, camera)
         camera.still("trial-over")
         go_to(page, "review")
-        expect(page.locator(".js-plotly-plot").first).to_be_visible()
+        expect(page.locator(".chart canvas").first).to_be_visible()
         camera.still("review")
         drives_now(page, camera)
 

@@ -49,9 +49,8 @@ def test_a_notice_has_the_whole_text_of_the_licence(one: hatch_build.Foreign) ->
 
 def test_the_versions_are_those_of_the_files() -> None:
     versions = {one.name: one.version for one in FOREIGN}
-    plotly = "plotly.js-basic-dist-min"
-    head = (ROOT / VENDOR / plotly / "plotly-basic.min.js").read_text()[:200]
-    assert re.search(rf"\bv{re.escape(versions[plotly])}\b", head)
+    head = (ROOT / VENDOR / "uplot" / "uPlot.js").read_text()[:300]
+    assert re.search(rf"\bv{re.escape(versions['uplot'])}\b", head)
     readme = (ROOT / "data/fonts/README.md").read_text()
     named = re.findall(r"fonts-noto-\w+ \d+", versions["Noto fonts, subsets"])
     assert len(named) == 2

@@ -68,4 +68,4 @@ def test_the_review_shows_the_tests_and_what_is_better_than_noise(page, clinic):
         table.get_by_role("row", name="Speed and precision together").get_by_text("better than noise").first
     ).to_be_visible()
     assert page.get_by_role("slider").count() == 0  # nothing is asked there
-    expect(page.locator(".test-course .chart svg").first).to_be_attached()
+    expect(page.locator(".test-course .chart canvas").first).to_be_attached()

@@ -92,7 +92,8 @@ def test_two_trials_are_chosen_and_compared(page, until, served):
     page.get_by_label("Moment of the trial").fill("6")
     after = [one.get_attribute("transform") for one in page.locator(".plan .chair").all()]
     assert all(a != b for a, b in zip(before, after, strict=True))
-    until(page, "document.querySelectorAll('.chart .scatterlayer .trace').length >= 4")
+    expect(page.locator(".chart canvas")).to_have_count(2)
+    expect(page.locator(".chart-legend li")).to_have_count(4)  # both trials in each
     expect(page.get_by_role("row", name=re.compile("Largest distance from the path"))).to_contain_text(
         re.compile(r"\d m")
     )

@@ -3,11 +3,10 @@ import assert from "node:assert/strict";
 import { pathToFileURL } from "node:url";
 
 globalThis.matchMedia = () => ({ matches: false, addEventListener() {} });
-const { mapTraces, sessionShapes, sessionWords } = await import(
-  pathToFileURL(`${process.argv[2]}/charts/curve_marks.js`)
-);
+const charts = pathToFileURL(`${process.argv[2]}/charts/`);
+const { mapSeries, sessionBands, sessionRow, versionRow } = await import(`${charts}curve_marks.js`);
+const { withRoom } = await import(`${charts}plot.js`);
 
-const colours = { text: "rgb(1, 2, 3)", "path-prescribed": "rgb(4, 5, 6)" };
 const row = (number, session, profile_version, origin) => ({ number, session, profile_version, origin });
 // Trial 4 was discarded, and a map was made and taken back within the second session.
 const rows = [
@@ -19,56 +18,59 @@ const rows = [
   row(7, 3, 3, "back"),
 ];
 
-const bands = sessionShapes(rows, colours);
+assert.deepEqual(sessionBands(rows), [
+  [0.5, 2.5],
+  [6.5, 7.5],
+]);
+const { texts, beside } = sessionRow(rows);
+assert.equal(beside, "session");
 assert.deepEqual(
-  bands.map(({ x0, x1 }) => [x0, x1]),
+  texts.map(({ text, x }) => [text, x]),
   [
-    [0.5, 2.5],
-    [6.5, 7.5],
-  ],
-);
-assert.deepEqual(
-  sessionWords(rows).map(({ text, x }) => [text, x]),
-  [
-    ["session", 0],
     ["1", 1.5],
     ["2", 4.5],
     ["3", 7],
   ],
 );
+/** The texts of a row. */
+const written = (row) => row.texts.map(({ text }) => text);
 // With room for it, the word stands at each.
-assert.deepEqual(
-  sessionWords(rows.slice(0, 5)).map(({ text }) => text),
-  ["session 1", "session 2"],
-);
+const two = sessionRow(rows.slice(0, 5));
+assert.deepEqual([two.beside, ...written(two)], [undefined, "session 1", "session 2"]);
 // On a telephone the word has no room at each of four.
 const four = Array.from({ length: 8 }, (_, i) => row(i + 1, 1 + Math.floor(i / 2), 1, "calibration"));
-assert.deepEqual(
-  sessionWords(four).map(({ text }) => text),
-  ["session", "1", "2", "3", "4"],
-);
-const many = Array.from({ length: 8 }, (_, i) => row(i + 1, i + 1, 1, "calibration"));
-assert.deepEqual(
-  sessionWords(many)
-    .map(({ text }) => text)
-    .slice(0, 3),
-  ["session", "1", "2"],
-);
+assert.deepEqual(written(sessionRow(four)), ["1", "2", "3", "4"]);
 
-const maps = mapTraces(rows, colours);
+const maps = mapSeries(rows, "red");
 assert.deepEqual(
-  maps.map(({ name, x, text }) => [name, x, text]),
+  maps.map(({ name, x }) => [name, x]),
   [
-    ["calibrated", [1], ["1"]],
-    ["calibration adapted", [5], ["2"]],
-    ["calibration restored", [6], ["3"]],
+    ["calibrated", [1]],
+    ["calibration adapted", [5]],
+    ["calibration restored", [6]],
   ],
 );
-assert.match(maps[1].hovertemplate[0], /^Calibration 2, adapted: from trial 5 on/);
-// Where numbers would stand on one another only the last of them is written; the marks are all there.
-const crowded = Array.from({ length: 60 }, (_, i) => row(i + 1, 1, i + 1, i ? "adaptation" : "calibration"));
-const [, adapted] = mapTraces(crowded, colours);
-assert.equal(adapted.x.length, 59);
-assert.deepEqual(adapted.text.filter(Boolean), ["60"]);
-assert.deepEqual([mapTraces([], colours), sessionShapes([], colours), sessionWords([])], [[], [], []]);
+assert.match(maps[1].words(0), /^Calibration 2, adapted: from trial 5 on/);
+assert.deepEqual(versionRow(rows).texts, [
+  { x: 1, text: "1" },
+  { x: 5, text: "2" },
+  { x: 6, text: "3" },
+]);
+assert.deepEqual(
+  [mapSeries([], "red"), sessionBands([]), written(sessionRow([])), written(versionRow([]))],
+  [[], [], [], []],
+);
+assert.equal(sessionRow([]).beside, undefined);
+
+// Where texts would stand on one another only the last of them is written.
+const crowded = Array.from({ length: 60 }, (_, i) => ({ left: 6 * i, width: 14 }));
+const shown = withRoom(crowded);
+assert.equal(shown[0], crowded[59]);
+assert.ok(shown.length > 10);
+assert.ok(shown.every(({ left }, i) => i === 0 || left + 14 < shown[i - 1].left));
+const apart = [
+  { left: 0, width: 10 },
+  { left: 20, width: 10 },
+];
+assert.deepEqual(withRoom(apart), apart.toReversed());
 console.log("curve_marks.mjs holds");

@@ -27,6 +27,9 @@ const [low, high] = extent([5], false);
 assert.equal((low + high) / 2, 5);
 assert.ok(high - low < 5);
 assert.ok(filled([5], true) > 0.8);
+// So do values that differ by an error of rounding: between the ends of an axis there are numbers to write.
+const [lowest, highest] = extent([5, 5 + 1e-15], false);
+assert.ok(highest - lowest > 1);
 for (const none of [[], [NaN, Infinity]]) assert.equal(extent(none, true), undefined);
 for (const isFromZero of [true, false]) {
   const [least, greatest] = extent([0, 0, NaN], isFromZero);

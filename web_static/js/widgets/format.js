@@ -44,9 +44,6 @@ function written(value, options) {
   return writer.format(value + 0).replace("-", "−"); // -0 + 0 is 0
 }
 
-/** The sign between whole digits and decimals. */
-export const POINT = written(1.5, { maximumFractionDigits: 1 }).charAt(1);
-
 /** "a, b and c". @param {string[]} items */
 export function allOf(items) {
   return ALL.format(items);

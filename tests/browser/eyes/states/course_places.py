@@ -8,7 +8,7 @@ from browser.eyes.opening import Open, at, go, leave, open_all, opened, shows, s
 from browser.eyes.states.course_clinic import BETTER, WORSE, CourseClinic
 from playwright.sync_api import expect
 
-CHART = ".js-plotly-plot .plot-container"
+CHART = ".chart canvas"
 NOISE = "Worse than this person's own noise"
 GOOD_CHANGE = shows("main td.change.good")
 

@@ -2,18 +2,14 @@
  * Two trials on one plan, both replayed from when motion was permitted; and speed and error along the path.
  * @import { FloorPlan, Timeline, TrialDetail } from "types/api"
  */
-import { REFERENCE } from "../../reference.js";
 import { t } from "../../texts.js";
 import { h, write } from "../../widgets/dom.js";
 import { number } from "../../widgets/format.js";
 import { planPicture } from "../../plan/plan_svg.js";
 import { playBar, playKeys } from "./play_bar.js";
 import { PlayHead } from "./play_head.js";
-import { chart } from "../../charts/plotly.js";
+import { alongChart, COLOURS } from "../../charts/along_chart.js";
 import { poseAt, trajectoryOf } from "../../plan/replay_plan.js";
-
-/** Of the first and of the second trial. */
-export const COLOURS = /** @type {const} */ (["path-driven", "action"]);
 
 /**
  * @param {HTMLElement} root of the page @param {TrialDetail[]} trials two, as GET /trials/ID answered
@@ -91,28 +87,6 @@ function momentWords(line, place) {
   const v = number(line.v[place], 2);
   if (!line.along.length) return t("compare-now-spot", { v });
   return t("compare-now", { along: number(line.along[place], 1), across: number(line.across[place], 2), v });
-}
-
-/**
- * One column of both trials over the way along the path, while motion was permitted.
- * @param {TrialDetail[]} trials @param {Timeline[]} lines @param {"v" | "across"} column
- * @param {string} label @param {string} axis @param {AbortSignal} signal
- */
-function alongChart(trials, lines, column, label, axis, signal) {
-  return chart(label, signal, (colours) => ({
-    traces: lines.map((line, i) => {
-      const armed = line.t.map((_, k) => k).filter((k) => line.state[k] === REFERENCE.numbers.armed);
-      return {
-        mode: "lines",
-        x: armed.map((k) => line.along[k]),
-        y: armed.map((k) => line[column][k]),
-        name: t("compare-trial", { number: trials[i].number }),
-        line: { color: colours[COLOURS[i]], width: 2, dash: i ? "dash" : "solid" },
-        hovertemplate: `%{x:.1f} m: %{y:.2f}<extra></extra>`,
-      };
-    }),
-    layout: { xaxis: { title: { text: t("compare-along") } }, yaxis: { title: { text: axis } } },
-  }));
 }
 
 /** @param {number} i of the trial */
