@@ -23,6 +23,7 @@ def one_chair(clinic: EyesClinic) -> int:
 def chair_page(page: Any, clinic: EyesClinic) -> None:
     clinic.good("PUT", "/chairs/chosen", {"id": one_chair(clinic), "dynamics": "unicycle"})
     opened("drive/chair")(page, clinic)
+    shows(".at-rest:not(:empty)")(page, clinic)  # the first word on the body comes when it has settled
 
 
 def no_chair(clinic: EyesClinic) -> None:
