@@ -2,70 +2,66 @@
  * Warnings of the quality of control: what was seen, what to do, and on which page.
  * @import { ControlWarning } from "types/api"
  */
+import { newestAnswer } from "../live/newest_answer.js";
+import { h, render } from "../preact.js";
 import { t } from "../texts.js";
-import { h, put } from "../widgets/dom.js";
 
 const WHERE = { sensor: "#/shirt", map: "#/calibrate", noise: "#/controls", span: "#/calibrate" };
 
 /**
- * @param {ControlWarning[]} warnings
- * @param {boolean} mayChange whether to lead to the pages @param {boolean} [isOpen] at first; otherwise a tap opens it
- * @returns {HTMLElement | false} nothing when there is nothing to look at
+ * The warnings; nothing when there is nothing to look at.
+ * @param {{warnings: ControlWarning[], mayChange: boolean, isOpen?: boolean}} card
+ *   mayChange: whether to lead to the pages; isOpen: at first, otherwise a tap opens it
  */
-export function controlWarnings(warnings, mayChange, isOpen = true) {
-  if (!warnings.length) return false;
+export function ControlWarnings({ warnings, mayChange, isOpen = true }) {
+  const groups = [...Map.groupBy(warnings, ({ advice }) => advice).values()]; // each advice is given once
+  if (!groups.length) return null;
+  /** @param {ControlWarning[]} group */
+  const item = (group) => {
+    const [{ advice, kind }] = group;
+    return h(
+      "li",
+      { key: advice },
+      group.map(({ message }) => h("p", { key: message }, message)),
+      h("p", { class: "quiet" }, h("strong", {}, t("quality-do")), " ", advice),
+      mayChange && h("a", { class: "btn small", href: WHERE[kind] }, t(`quality-go-${kind}`)),
+    );
+  };
   return h(
     "details",
     { class: "card control-warnings", open: isOpen },
-    h("summary", {}, h("h2", {}, t("quality-warnings", { count: together(warnings).length })), summaryOf(warnings)),
     h(
-      "ul",
+      "summary",
       {},
-      together(warnings).map(([first, ...others]) =>
-        h(
-          "li",
-          {},
-          [first, ...others].map(({ message }) => h("p", {}, message)),
-          h("p", { class: "quiet" }, h("strong", {}, t("quality-do")), " ", first.advice),
-          mayChange && h("a", { class: "btn small", href: WHERE[first.kind] }, t(`quality-go-${first.kind}`)),
-        ),
-      ),
+      h("h2", {}, t("quality-warnings", { count: groups.length })),
+      h("span", { class: "quiet small" }, groups.map(kindWords).join(" · ")),
     ),
+    h("ul", {}, groups.map(item)),
   );
 }
 
-/** The kinds and joints of the warnings in one line. @param {ControlWarning[]} warnings */
-function summaryOf(warnings) {
-  const parts = together(warnings).map((same) => {
-    const joints = [...new Set(same.map(({ joint }) => joint))].join(", ");
-    return t(`quality-kind-${same[0].kind}`, { joints });
-  });
-  return h("span", { class: "quiet small" }, parts.join(" · "));
-}
-
-/** Group the warnings with the same advice, so that it is given once. @param {ControlWarning[]} warnings */
-function together(warnings) {
-  return [...new Set(warnings.map(({ advice }) => advice))].map((same) =>
-    warnings.filter(({ advice }) => advice === same),
-  );
+/** What some warnings with the same advice are about. @param {ControlWarning[]} group */
+function kindWords(group) {
+  const joints = [...new Set(group.map(({ joint }) => joint))].join(", ");
+  return t(`quality-kind-${group[0].kind}`, { joints });
 }
 
 /**
- * A place that fills itself with a patient's warnings, anew after each trial; empty when there are none, or none can be read.
- * @param {import("../main.js").App} app @param {number} patient @param {AbortSignal} signal
+ * A place that fills itself with a patient's warnings, read again after each trial; empty when there are none, or none
+ * can be read.
+ * @param {import("../main.js").App} app @param {number} patient id @param {AbortSignal} left
  */
-export function warningsPlace(app, patient, signal) {
-  const place = h("div", { class: "control-warnings-place" });
-  let shown = "[]";
-  const read = async () => {
-    const { warnings } = await app.api.get(`/patients/${patient}/quality`);
-    const found = JSON.stringify(warnings);
-    if (signal.aborted || found === shown) return; // what was opened stays open
-    shown = found;
-    put(place, controlWarnings(warnings, app.me?.role !== "reviewer", false));
-  };
-  const tryToRead = () => read().catch(() => {}); // the page works without the warnings
-  app.live.addEventListener("changed", ({ detail }) => detail === "trial" && tryToRead(), { signal });
-  tryToRead();
+export function warningsPlace(app, patient, left) {
+  const place = document.createElement("div");
+  place.className = "control-warnings-place";
+  const mayChange = app.me?.role !== "reviewer";
+  const ask = async () => (await app.api.get(`/patients/${patient}/quality`)).warnings;
+  const warnings = newestAnswer(app, left, /** @type {ControlWarning[]} */ ([]), ask, ["trial"]);
+  const Warnings = () => h(ControlWarnings, { warnings: warnings.value, mayChange, isOpen: false });
+  render(h(Warnings, {}), place);
+  ask().then(
+    (first) => (warnings.value = first),
+    () => {}, // the page works without the warnings
+  );
   return place;
 }

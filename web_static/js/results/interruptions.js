@@ -3,7 +3,6 @@
  * @import { Measures } from "./measures.js"
  */
 import { t } from "../texts.js";
-import { h } from "../widgets/dom.js";
 import { number } from "../widgets/format.js";
 import { measured } from "./measures.js";
 
@@ -23,10 +22,4 @@ export function interruptionWords(measures) {
 /** Whether the machine interrupted a trial so much that a person has to say that it counts. @param {Measures | null} measures */
 export function isInterrupted(measures) {
   return measures?.interrupted === true;
-}
-
-/** A line for lists. @param {Measures | null} measures */
-export function interruptionMark(measures) {
-  const words = interruptionWords(measures);
-  return words && h("div", { class: "quiet small sentence" }, words);
 }

@@ -5,7 +5,7 @@
  * @import { ConsentsView } from "types/api"
  */
 import { LANGUAGE } from "../language.js";
-import { Fragment, h, render, useLayoutEffect, useSignal } from "../preact.js";
+import { h, useLayoutEffect, useSignal } from "../preact.js";
 import { Field, Selection } from "../widgets/fields.js";
 import { languageOptions } from "../widgets/language_choice.js";
 import { t } from "../texts.js";
@@ -100,15 +100,12 @@ export function ReportChoice({ app, patient, session }) {
 }
 
 /**
- * The same choice as a card of a page; null without the right to export, or without a session.
- * @param {App} app @param {{id: number, code: string, sessions: number}} patient @param {number} [session]
+ * The same choice as a card of a page; nothing without the right to export, or without a session.
+ * @param {{app: App, patient: {id: number, code: string, sessions: number}}} card
  */
-export function reportCard(app, patient, session) {
+export function ReportCard({ app, patient }) {
   if (!mayExport(app) || !patient.sessions) return null;
-  const card = document.createElement("section");
-  card.className = "card";
-  render(h(Fragment, {}, h("h2", {}, t("report-title")), h(ReportChoice, { app, patient, session })), card);
-  return card;
+  return h("section", { class: "card" }, h("h2", {}, t("report-title")), h(ReportChoice, { app, patient }));
 }
 
 /** @param {number} patient @param {Record<"form" | "session" | "paper" | "reader" | "language", string>} chosen */

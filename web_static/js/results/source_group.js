@@ -1,12 +1,13 @@
 /**
  * Groups of trials by their source: worn, simulated, or not recorded; a curve or comparison has one group only.
+ * @import { ComponentChildren } from "../preact.js"
  * @typedef {"worn" | "simulated" | "unknown"} SourceGroup
  * @typedef {{source: {simulated: boolean | null}}} WithSource a trial, as far as its group goes
  */
 import { h as draw } from "../preact.js";
 import { t } from "../texts.js";
 import { h } from "../widgets/dom.js";
-import { field, selection } from "../widgets/fields.js";
+import { Field, Selection } from "../widgets/fields.js";
 
 /** @type {SourceGroup[]} */
 export const GROUPS = ["worn", "simulated", "unknown"];
@@ -35,24 +36,26 @@ export function GroupMark({ group }) {
 
 /**
  * The cell of a table that names the source of a trial or test.
- * @param {{of: {source: {simulated: boolean | null, description: string}}}} cell
+ * @param {{of: {source: {simulated: boolean | null, description: string}}, children?: ComponentChildren}} cell
+ *   children: what stands below it
  */
-export function SourceCell({ of }) {
+export function SourceCell({ of, children }) {
   const group = groupOf(of);
   const mark = group === "worn" ? t("source-group-worn") : draw(GroupMark, { group });
-  return draw("td", { title: of.source.description }, mark);
+  return draw("td", { title: of.source.description }, mark, children);
 }
 
 /**
- * Which trials are looked at; null where there is only one group.
- * @param {(WithSource & {kept: boolean})[]} trials @param {SourceGroup} chosen @param {(group: SourceGroup) => void} onChange
+ * Which trials are looked at; nothing where there is only one group.
+ * @param {{trials: (WithSource & {kept: boolean})[], chosen: SourceGroup, onChange: (group: SourceGroup) => void}} choice
  */
-export function groupChoice(trials, chosen, onChange) {
+export function GroupChoice({ trials, chosen, onChange }) {
   const present = GROUPS.filter((group) => group === chosen || trials.some((trial) => groupOf(trial) === group));
   if (present.length < 2) return null;
   const options = present.map((group) => {
     const count = trials.filter((trial) => trial.kept && groupOf(trial) === group).length;
     return { value: group, label: t("source-group-count", { group: t(`source-group-${group}`), count }) };
   });
-  return field(t("source-group"), selection(options, chosen, onChange));
+  const choose = (/** @type {string} */ group) => onChange(/** @type {SourceGroup} */ (group));
+  return draw(Field, { label: t("source-group") }, draw(Selection, { options, chosen, onChange: choose }));
 }

@@ -1,10 +1,9 @@
 /**
- * Form pieces: labelled fields, choices, segments, steppers, and the form of one long text.
+ * Form pieces: labelled fields, choices, segments, steppers.
  * @import { Child } from "types/dom"
  * @import { ComponentChildren, VNode } from "../preact.js"
  */
 import { cloneElement, h as draw, useState } from "../preact.js";
-import { t } from "../texts.js";
 import { h, set, write } from "./dom.js";
 import { number } from "./format.js";
 
@@ -68,12 +67,18 @@ export function selection(options, chosen, onChange) {
 }
 
 /**
- * A selection without groups as a component; other attributes are those of its element.
+ * A selection as a component; other attributes are those of its element.
  * @template {string} Value
  * @param {{options: Option<Value>[], chosen: NoInfer<Value> | null, onChange: (value: NoInfer<Value>) => void,
  *   "aria-label"?: string}} selection
  */
 export function Selection({ options, chosen, onChange, ...attributes }) {
+  /** @param {string | undefined} name */
+  const members = (name) =>
+    options
+      .filter(({ group }) => group === name)
+      .map(({ value, label }) => draw("option", { key: value, value, selected: value === chosen }, label));
+  const groups = [...new Set(options.map(({ group }) => group))];
   return draw(
     "select",
     {
@@ -81,7 +86,7 @@ export function Selection({ options, chosen, onChange, ...attributes }) {
       onChange: (/** @type {Event} */ { currentTarget }) =>
         onChange(/** @type {Value} */ (/** @type {HTMLSelectElement} */ (currentTarget).value)),
     },
-    options.map(({ value, label }) => draw("option", { key: value, value, selected: value === chosen }, label)),
+    groups.map((label) => (label ? draw("optgroup", { key: label, label }, members(label)) : members(label))),
   );
 }
 
@@ -114,10 +119,11 @@ export function segments(label, options, chosen, onChange) {
 }
 
 /**
- * The same as a component.
- * @param {{label: string, options: Option<string>[], chosen: string, hidden?: boolean, onChange(value: string): void}} segments
+ * The same as a component; `disabled`: the values that cannot be chosen.
+ * @param {{label: string, options: Option<string>[], chosen: string, hidden?: boolean, disabled?: string[],
+ *   onChange(value: string): void}} segments
  */
-export function Segments({ label, options, chosen, hidden, onChange }) {
+export function Segments({ label, options, chosen, hidden, disabled = [], onChange }) {
   const [name] = useState(() => `segments-${++made}`);
   return draw(
     "div",
@@ -126,7 +132,14 @@ export function Segments({ label, options, chosen, hidden, onChange }) {
       draw(
         "label",
         { key: value },
-        draw("input", { type: "radio", name, value, checked: value === chosen, onChange: () => onChange(value) }),
+        draw("input", {
+          type: "radio",
+          name,
+          value,
+          checked: value === chosen,
+          disabled: disabled.includes(value),
+          onChange: () => onChange(value),
+        }),
         words,
       ),
     ),
@@ -319,35 +332,4 @@ export function repeatWhileHeld(button, act) {
   });
   for (const event of ["pointerup", "pointerleave", "pointercancel"]) button.addEventListener(event, end);
   button.addEventListener("click", (event) => event.detail === 0 && act());
-}
-
-/**
- * A form of one long text, such as a note or a comment.
- * @param {object} form
- * @param {string} form.label @param {string} [form.hint] @param {string} [form.text] before
- * @param {string} form.action words of the button that sends @param {number} form.longest characters
- * @param {(text: string) => unknown} form.send called with a text that is not empty
- * @param {() => void} [form.onClose] without it the form stays
- * @param {HTMLElement} [form.more] one more button
- */
-export function textForm({ label, hint, text = "", action, longest, send, onClose, more }) {
-  const input = h("textarea", { rows: 3, maxlength: longest, required: true });
-  input.defaultValue = input.value = text;
-  /** @param {SubmitEvent} event */
-  const submit = async (event) => {
-    event.preventDefault();
-    if (input.value.trim()) await send(input.value.trim());
-  };
-  return h(
-    "form",
-    { class: "stack", onsubmit: submit },
-    field(label, input, hint),
-    h(
-      "div",
-      { class: "spread" },
-      h("button", { class: "btn" }, action),
-      onClose && h("button", { type: "button", class: "btn", onclick: onClose }, t("cancel")),
-      more,
-    ),
-  );
 }

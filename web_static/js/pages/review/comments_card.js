@@ -1,191 +1,232 @@
 /**
  * The comments on moments of a trial, beside its replay: each leads to its moment, and its author can change it.
+ * @import { App } from "../../main.js"
  * @import { CommentView } from "types/api"
+ * @import { ComponentChildren } from "../../preact.js"
  * @import { PlayHead } from "./play_head.js"
+ * @typedef {ReturnType<typeof commentStore>} CommentStore
  */
+import { newestAnswer } from "../../live/newest_answer.js";
+import { createRef, focusFirst, h, useComputed, useOpening, useRef, useSignal } from "../../preact.js";
 import { limitsOf } from "../../reference.js";
 import { t } from "../../texts.js";
-import { h, put, set } from "../../widgets/dom.js";
+import { Field } from "../../widgets/fields.js";
 import { moment, number } from "../../widgets/format.js";
-import { textForm } from "../../widgets/fields.js";
+import { go } from "./play_bar.js";
 
 const NEAR = 0.05; // s from the moment that the replay shows
 
 /**
- * @param {import("../../main.js").App} app @param {number} trial id @param {CommentView[]} comments
- * @param {PlayHead | null} head null: there is no replay, so comments can only be read
- * @param {AbortSignal} signal
- * @returns {{element: HTMLElement, marks: HTMLElement}} marks: for the time bar
+ * @param {App} app @param {number} trial id @param {CommentView[]} first the comments on the trial as they were read
+ * @param {AbortSignal} left
  */
-export function commentsCard(app, trial, comments, head, signal) {
-  const heading = h("h2", { tabindex: "-1" }, t("comments-title"));
-  const none = h("p", { class: "quiet" }, t("comments-none"));
-  const list = h("ol", { class: "comments" });
-  const place = h("div", {});
-  const marks = h("div", { class: "event-marks comment-marks", "aria-hidden": "true" });
-  /** @type {Set<number>} those that were unread when this page first showed them */
+export function commentStore(app, trial, first, left) {
+  const ask = () => app.api.get(`/trials/${trial}/comments`);
+  const comments = newestAnswer(app, left, first, ask, ["record", "everything"]);
+  /** @type {Set<number>} the ids of those that were unread when this page first showed them */
   const fresh = new Set();
-  /** @param {() => Promise<CommentView[]>} act @param {string} words to say when it is done */
-  const change = async (act, words) => {
+  comments.subscribe((now) => {
+    const unread = now.filter((comment) => comment.unread);
+    if (!unread.length || left.aborted) return;
+    for (const { id } of unread) fresh.add(id);
+    app.api.post(`/trials/${trial}/comments/read`).catch(() => {});
+  });
+  const heading = /** @type {{current: HTMLElement | null}} */ (createRef());
+  /**
+   * Change the comments, and return whether it was done; a refusal is shown.
+   * @param {() => Promise<CommentView[]>} act @param {string} message shown when it was done
+   */
+  const change = async (act, message) => {
     const now = await app.toasts.attempt(act);
-    if (!now || signal.aborted) return false;
-    comments = now;
-    draw();
-    app.toasts.show(words);
+    if (!now || left.aborted) return false;
+    comments.value = now;
+    app.toasts.show(message);
     return true;
   };
-  /** @param {CommentView} comment */
-  const row = (comment) => {
-    const { id, person, is_own: isOwn, t: at, revisions } = comment;
-    const [newest, ...earlier] = revisions;
-    const values = { t: number(at, 1), person };
-    const element = h("li", { "data-t": at });
-    /** @param {MouseEvent} event */
-    const go = ({ detail: taps }) => {
-      head?.pause();
-      head?.seek(at);
-      if (taps > 0) showPicture(); // somebody with a keyboard keeps the focus in sight instead
-    };
-    const revise = () => {
-      put(element, revision(comment));
-      element.querySelector("textarea")?.focus();
-    };
-    return put(
-      element,
-      h(
-        "div",
-        { class: "spread" },
-        head
-          ? h(
-              "button",
-              { type: "button", class: "btn bare small moment", "aria-label": t("comments-go", values), onclick: go },
-              t("comments-at", values),
-            )
-          : h("b", {}, t("comments-at", values)),
-        h(
-          "span",
-          { class: "quiet small grow" },
-          t(earlier.length ? "comments-by-revised" : "comments-by", { person, moment: moment(newest.written) }),
-        ),
-        fresh.has(id) && h("span", { class: "tag att" }, t("comments-new")),
-      ),
-      h("p", { class: "own-words" }, newest.text),
-      isOwn &&
-        h(
-          "button",
-          {
-            type: "button",
-            class: "btn bare small",
-            "data-comment": id,
-            "aria-label": t("comments-change-label", values),
-            onclick: revise,
-          },
-          t("comments-change"),
-        ),
-      earlier.length > 0 &&
-        h(
-          "details",
-          {},
-          h("summary", {}, t("comments-history", { count: earlier.length })),
-          earlier.map(({ text, written }) =>
-            h(
-              "div",
-              { class: "earlier-text" },
-              h("p", { class: "own-words" }, text),
-              h("p", { class: "quiet small" }, moment(written)),
-            ),
-          ),
-        ),
-    );
-  };
-  /** @param {CommentView} comment */
-  const revision = ({ id, t: at, revisions }) => {
-    const again = () => /** @type {HTMLElement | null} */ (list.querySelector(`[data-comment="${id}"]`))?.focus();
-    const withdraw = async () => {
-      if (await change(() => app.api.remove(`/comments/${id}`), t("comments-withdrawn"))) heading.focus();
-    };
-    return textForm({
-      label: t("comments-text", { t: number(at, 1) }),
-      text: revisions[0].text,
-      action: t("comments-save"),
-      longest: limitsOf("NewComment", "text").longest ?? Infinity,
-      send: async (text) =>
-        (await change(() => app.api.put(`/comments/${id}`, { text }), t("comments-revised"))) && again(),
-      onClose: () => {
-        draw();
-        again();
-      },
-      more: h("button", { type: "button", class: "btn", onclick: withdraw }, t("comments-withdraw")),
-    });
-  };
-  /** A form to write at the moment that the replay shows, which it then shows still. */
-  const offer = () => {
-    const write = h("button", { type: "button", class: "btn small" }, t("comments-write"));
-    const close = () => {
-      offer();
-      place.querySelector("button")?.focus();
-    };
-    write.addEventListener("click", () => {
-      const { t: at } = /** @type {PlayHead} */ (head);
-      head?.pause();
-      put(
-        place,
-        textForm({
-          label: t("comments-text", { t: number(at, 1) }),
-          hint: t("comments-hint"),
-          action: t("comments-add"),
-          longest: limitsOf("NewComment", "text").longest ?? Infinity,
-          send: async (text) =>
-            (await change(() => app.api.post(`/trials/${trial}/comments`, { t: at, text }), t("comments-added"))) &&
-            close(),
-          onClose: close,
-        }),
-      );
-      place.querySelector("textarea")?.focus();
-      place.scrollIntoView({ block: "nearest" });
-    });
-    put(place, write);
-  };
-  const showHere = () => {
-    for (const one of list.children) {
-      const isHere = Math.abs(Number(/** @type {HTMLElement} */ (one).dataset.t) - Number(head?.t)) < NEAR;
-      one.classList.toggle("is-here", isHere);
-      const button = one.querySelector(".moment");
-      if (button) set(button, { "aria-current": isHere ? "true" : null });
-    }
-  };
-  const draw = () => {
-    for (const { id, unread } of comments) if (unread) fresh.add(id);
-    put(list, comments.map(row));
-    list.hidden = !comments.length;
-    none.hidden = comments.length > 0;
-    if (head)
-      put(
-        marks,
-        comments.map(({ t: at }) => h("i", { style: `left: ${head.share(at)}%` })),
-      );
-    showHere();
-    if (comments.some(({ unread }) => unread)) app.api.post(`/trials/${trial}/comments/read`).catch(() => {});
-  };
-  /** @param {CustomEvent<string>} event */
-  const read = async ({ detail }) => {
-    if (detail !== "record" && detail !== "everything") return;
-    const now = await app.api.get(`/trials/${trial}/comments`).catch(() => comments);
-    const isRevised = list.querySelector("form") !== null; // what is being written stays
-    if (signal.aborted || isRevised || shownOf(now) === shownOf(comments)) return;
-    comments = now;
-    draw();
-  };
-  app.live.addEventListener("changed", read, { signal });
-  head?.addEventListener("time", showHere, { signal });
-  draw();
-  if (head) offer();
-  else if (comments.length) put(place, h("p", { class: "quiet small" }, t("comments-lost")));
-  return { element: h("section", { class: "card stack comments-card" }, heading, none, list, place), marks };
+  return { app, trial, comments, fresh, heading, change };
 }
 
-/** What is shown of comments, as one text: one that has just been read keeps its mark here. @param {CommentView[]} comments */
-const shownOf = (comments) => JSON.stringify(comments, (name, value) => (name === "unread" ? null : value));
+/** The comments as marks on the time bar. @param {{store: CommentStore, head: PlayHead}} marks */
+export function CommentMarks({ store: { comments }, head }) {
+  return h(
+    "div",
+    { class: "event-marks comment-marks", "aria-hidden": "true" },
+    comments.value.map(({ id, t: at }) => h("i", { key: id, style: `left: ${head.share(at)}%` })),
+  );
+}
+
+/**
+ * @param {{store: CommentStore, head: PlayHead | null}} card head: null without a replay, then comments can only be
+ *   read
+ */
+export function CommentsCard({ store, head }) {
+  const comments = store.comments.value;
+  return h(
+    "section",
+    { class: "card stack comments-card" },
+    h("h2", { tabindex: -1, ref: store.heading }, t("comments-title")),
+    h("p", { class: "quiet", hidden: comments.length > 0 }, t("comments-none")),
+    h(
+      "ol",
+      { class: "comments", hidden: !comments.length },
+      comments.map((comment) => h(Comment, { key: comment.id, comment, store, head })),
+    ),
+    head
+      ? h(NewComment, { store, head })
+      : h("p", { class: "quiet small", hidden: !comments.length }, t("comments-lost")),
+  );
+}
+
+/** @param {{comment: CommentView, store: CommentStore, head: PlayHead | null}} item */
+function Comment({ comment, store, head }) {
+  const { id, person, is_own: isOwn, t: at, revisions } = comment;
+  const { app, fresh, heading, change } = store;
+  const isHere = useComputed(() => head !== null && Math.abs(at - head.t) < NEAR);
+  const isRevised = useSignal(false);
+  const wasRevised = useRef(false);
+  const [newest, ...earlier] = revisions;
+  const values = { t: number(at, 1), person };
+  const revise = () => (isRevised.value = wasRevised.current = true);
+  const close = () => void (isRevised.value = false);
+  /** @param {string} text */
+  const send = async (text) => {
+    if (await change(() => app.api.put(`/comments/${id}`, { text }), t("comments-revised"))) close();
+  };
+  const withdraw = async () => {
+    if (await change(() => app.api.remove(`/comments/${id}`), t("comments-withdrawn"))) heading.current?.focus();
+  };
+  const kind = isHere.value ? "is-here" : undefined;
+  if (isRevised.value) {
+    const form = { at, text: newest.text, action: t("comments-save"), send, onClose: close };
+    const button = h("button", { type: "button", class: "btn", onClick: withdraw }, t("comments-withdraw"));
+    return h("li", { class: kind }, h(TextForm, form, button));
+  }
+  const words = { person, moment: moment(newest.written) };
+  const reviseButton = {
+    type: /** @type {const} */ ("button"),
+    class: "btn bare small",
+    "aria-label": t("comments-change-label", values),
+    ref: wasRevised.current ? focusFirst : null, // it has the focus again when the form closes
+    onClick: revise,
+  };
+  return h(
+    "li",
+    { class: kind },
+    h(
+      "div",
+      { class: "spread" },
+      h(Moment, { head, comment, isHere: isHere.value }),
+      h("span", { class: "quiet small grow" }, t(earlier.length ? "comments-by-revised" : "comments-by", words)),
+      fresh.has(id) && h("span", { class: "tag att" }, t("comments-new")),
+    ),
+    h("p", { class: "own-words" }, newest.text),
+    isOwn && h("button", reviseButton, t("comments-change")),
+    earlier.length > 0 &&
+      h(
+        "details",
+        {},
+        h("summary", {}, t("comments-history", { count: earlier.length })),
+        earlier.map(({ text, written }) =>
+          h(
+            "div",
+            { class: "earlier-text", key: written },
+            h("p", { class: "own-words" }, text),
+            h("p", { class: "quiet small" }, moment(written)),
+          ),
+        ),
+      ),
+  );
+}
+
+/**
+ * The moment of a comment; with a replay, a tap goes there.
+ * @param {{head: PlayHead | null, comment: CommentView, isHere: boolean}} moment isHere: whether the replay shows it
+ */
+function Moment({ head, comment: { t: at, person }, isHere }) {
+  const values = { t: number(at, 1), person };
+  const words = t("comments-at", values);
+  if (!head) return h("b", {}, words);
+  /** @param {MouseEvent} event */
+  const show = ({ detail: taps }) => {
+    go(head, at);
+    if (taps > 0) showPicture(); // somebody with a keyboard keeps the focus in sight instead
+  };
+  return h(
+    "button",
+    {
+      type: "button",
+      class: "btn bare small moment",
+      "aria-label": t("comments-go", values),
+      "aria-current": isHere ? "true" : undefined,
+      onClick: show,
+    },
+    words,
+  );
+}
+
+/**
+ * A form to write at the moment that the replay shows; opening it pauses the replay.
+ * @param {{store: CommentStore, head: PlayHead}} form
+ */
+function NewComment({ store: { app, trial, change }, head }) {
+  const opened = useSignal(/** @type {{at: number} | null} */ (null));
+  const wasOpened = useRef(false);
+  const place = useOpening(opened.value, "textarea");
+  const open = () => {
+    head.pause();
+    wasOpened.current = true;
+    opened.value = { at: head.t };
+  };
+  const close = () => void (opened.value = null);
+  if (!opened.value) {
+    const button = {
+      type: /** @type {const} */ ("button"),
+      class: "btn small",
+      ref: wasOpened.current ? focusFirst : null, // it has the focus again when the form closes
+      onClick: open,
+    };
+    return h("div", { ref: place }, h("button", button, t("comments-write")));
+  }
+  const { at } = opened.value;
+  /** @param {string} text */
+  const send = async (text) => {
+    const isDone = await change(() => app.api.post(`/trials/${trial}/comments`, { t: at, text }), t("comments-added"));
+    if (isDone) close();
+  };
+  const form = { at, hint: t("comments-hint"), action: t("comments-add"), send, onClose: close };
+  return h("div", { ref: place }, h(TextForm, form));
+}
+
+/**
+ * A form of one text; it has the focus as soon as it appears.
+ * @param {object} form
+ * @param {number} form.at s of the trial @param {string} [form.hint] @param {string} [form.text] before
+ * @param {string} form.action words of the button that sends
+ * @param {(text: string) => unknown} form.send called with a text that is not empty @param {() => void} form.onClose
+ * @param {ComponentChildren} [form.children] further buttons
+ */
+function TextForm({ at, hint, text, action, send, onClose, children }) {
+  /** @param {SubmitEvent} event */
+  const submit = (event) => {
+    event.preventDefault();
+    const written = String(new FormData(/** @type {HTMLFormElement} */ (event.currentTarget)).get("text")).trim();
+    if (written) send(written);
+  };
+  const { longest } = limitsOf("NewComment", "text");
+  const input = { name: "text", rows: 3, maxlength: longest, required: true, defaultValue: text, ref: focusFirst };
+  return h(
+    "form",
+    { class: "stack", onSubmit: submit },
+    h(Field, { label: t("comments-text", { t: number(at, 1) }), hint }, h("textarea", input)),
+    h(
+      "div",
+      { class: "spread" },
+      h("button", { class: "btn" }, action),
+      h("button", { type: "button", class: "btn", onClick: onClose }, t("cancel")),
+      children,
+    ),
+  );
+}
 
 /** Scroll back to the picture: on a phone the list stands far below it. */
 function showPicture() {

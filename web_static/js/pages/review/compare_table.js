@@ -3,55 +3,45 @@
  * @import { TrialDetail, TrialVerdicts } from "types/api"
  * @import { Measures } from "../../results/measures.js"
  */
-import { t } from "../../texts.js";
-import { h } from "../../widgets/dom.js";
-import { scrollTable } from "../../widgets/scroll_table.js";
-import { comparable, measured, measureNames, nameOf, signedWithUnit, withUnit } from "../../results/measures.js";
+import { Fragment, h } from "../../preact.js";
 import { interruptionWords } from "../../results/interruptions.js";
+import { comparable, measured, measureNames, nameOf, signedWithUnit, withUnit } from "../../results/measures.js";
 import { groupOf } from "../../results/source_group.js";
-import { isFamiliarisation, noiseNote, verdictWords } from "../../results/verdict_words.js";
+import { isFamiliarisation, NoiseNote, verdictWords } from "../../results/verdict_words.js";
+import { t } from "../../texts.js";
+import { ScrollTable, TableHead } from "../../widgets/scroll_table.js";
 
 /**
- * @param {TrialDetail[]} trials two of them, as GET /trials/ID answered, the earlier first
- * @param {TrialVerdicts | null} found on the second against the first; null where they cannot be compared
+ * @param {{trials: TrialDetail[], verdicts: TrialVerdicts | null}} table trials: two of them, the earlier first;
+ *   verdicts: on the second against the first, null where they cannot be compared
  */
-export function compareTable(trials, found) {
-  const [first, second] = trials.map(({ measures }) => measures ?? {});
+export function CompareTable({ trials, verdicts }) {
+  const both = trials.map(({ measures }) => measures ?? {});
   const isMixed = groupOf(trials[0]) !== groupOf(trials[1]); // then no trial is called the better one
-  const used = trials.filter(({ id }) => isFamiliarisation(found, id)).map((one) => one.number);
+  const used = trials.filter(({ id }) => isFamiliarisation(verdicts, id)).map(({ number }) => number);
   /** @param {string} name */
   const row = (name) => {
-    const verdict = verdictWords(name, found?.verdicts[name]);
+    const verdict = verdictWords(name, verdicts?.verdicts[name]);
+    const isCompared = !isMixed && both.every((one) => comparable(name, one));
     return h(
       "tr",
-      {},
+      { key: name },
       h("th", { scope: "row" }, nameOf(name)),
-      [first, second].map((measures) => h("td", { class: "own" }, withUnit(name, measured(measures, name)))),
-      found && h("td", { class: `change ${verdict?.tone ?? ""}` }, verdict ? `${verdict.arrow} ${verdict.words}` : "–"),
-      h(
-        "td",
-        {},
-        isMixed || ![first, second].every((one) => comparable(name, one)) ? "–" : difference(name, first, second),
-      ),
-      found && h("td", {}, verdict?.noise ?? "–"),
+      both.map((one, i) => h("td", { key: i, class: "own" }, withUnit(name, measured(one, name)))),
+      verdicts &&
+        h("td", { class: `change ${verdict?.tone ?? ""}` }, verdict ? `${verdict.arrow} ${verdict.words}` : "–"),
+      h("td", {}, isCompared ? difference(name, both) : "–"),
+      verdicts && h("td", {}, verdict?.noise ?? "–"),
     );
   };
-  const interrupted = [first, second].map(interruptionWords);
-  const interruptions = h(
-    "tr",
-    {},
-    h("th", { scope: "row" }, t("interruption-column")),
-    interrupted.map((words) => h("td", { class: "own" }, words || t("interruption-none"))),
-    h("td", {}, "–"),
-    found && [h("td", {}, "–"), h("td", {}, "–")],
-  );
-  const names = measureNames().filter((name) => [first, second].some((one) => measured(one, name) !== null));
-  const head = [
+  const interruptions = both.map(interruptionWords);
+  const names = measureNames().filter((name) => both.some((one) => measured(one, name) !== null));
+  const columns = [
     t("over-measure"),
-    ...trials.map((one) => t("compare-trial", { number: one.number })),
-    ...(found ? [t("compare-verdict", { number: trials[1].number })] : []),
+    ...trials.map(({ number }) => t("compare-trial", { number })),
+    ...(verdicts ? [t("compare-verdict", { number: trials[1].number })] : []),
     t("compare-difference"),
-    ...(found ? [t("verdict-noise")] : []),
+    ...(verdicts ? [t("verdict-noise")] : []),
   ];
   return h(
     "section",
@@ -59,27 +49,36 @@ export function compareTable(trials, found) {
     h("h2", {}, t("compare-measures")),
     isMixed && h("p", { class: "quiet" }, t("compare-mixed")),
     used.length > 0 && h("p", { class: "quiet" }, t("compare-used", { numbers: used.join(", ") })),
-    names.length === 0 && h("p", { class: "quiet" }, t("compare-no-measures")),
-    names.length > 0 &&
-      scrollTable(
-        t("compare-measures"),
-        "measures",
-        h(
-          "thead",
-          {},
+    names.length
+      ? h(
+          ScrollTable,
+          { label: t("compare-measures"), kind: "measures" },
+          h(TableHead, { columns }),
           h(
-            "tr",
+            "tbody",
             {},
-            head.map((words) => h("th", { scope: "col" }, words)),
+            names.map(row),
+            interruptions.some(Boolean) && h(Interruptions, { words: interruptions, hasVerdicts: verdicts !== null }),
           ),
-        ),
-        h("tbody", {}, [names.map(row), interrupted.some(Boolean) && interruptions]),
-      ),
-    found && noiseNote(),
+        )
+      : h("p", { class: "quiet" }, t("compare-no-measures")),
+    verdicts && h(NoiseNote, {}),
   );
 }
 
-/** @param {string} name @param {Measures} first @param {Measures} second */
-function difference(name, first, second) {
+/** What interrupted each of the two trials. @param {{words: string[], hasVerdicts: boolean}} row */
+function Interruptions({ words, hasVerdicts }) {
+  return h(
+    "tr",
+    {},
+    h("th", { scope: "row" }, t("interruption-column")),
+    words.map((one, i) => h("td", { key: i, class: "own" }, one || t("interruption-none"))),
+    h("td", {}, "–"),
+    hasVerdicts && h(Fragment, {}, h("td", {}, "–"), h("td", {}, "–")),
+  );
+}
+
+/** @param {string} name @param {Measures[]} both */
+function difference(name, [first, second]) {
   return signedWithUnit(name, Number(measured(second, name)) - Number(measured(first, name)));
 }

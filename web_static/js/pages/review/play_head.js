@@ -1,23 +1,30 @@
 /** The one moment of a replay that all its pictures show, and how it goes on by itself. */
-import { TypedEvents } from "../../live/typed_events.js";
+import { signal } from "../../preact.js";
 
-/**
- * Events: `time` when the moment changes, `state` when it begins or ceases to play, or plays at another speed.
- * @extends {TypedEvents<{time: Event, state: Event}>}
- */
-export class PlayHead extends TypedEvents {
+export class PlayHead {
+  isPlaying = signal(false);
+  /** Times as fast as it was driven. */
+  speed = signal(1);
+  #t;
   #frame = 0;
   #last = 0;
 
-  /** @param {number} start s @param {number} end s @param {AbortSignal} signal */
-  constructor(start, end, signal) {
-    super();
+  /** @param {number} start s @param {number} end s @param {AbortSignal} left of the page */
+  constructor(start, end, left) {
     this.start = start;
     this.end = end;
-    this.t = Math.max(start, Math.min(0, end));
-    this.speed = 1;
-    this.playing = false;
-    signal.addEventListener("abort", () => this.pause());
+    this.#t = signal(Math.max(start, Math.min(0, end)));
+    left.addEventListener("abort", () => this.pause());
+  }
+
+  /** The moment in s; what Preact draws with it is drawn again at another moment. */
+  get t() {
+    return this.#t.value;
+  }
+
+  /** Show each moment from now on. @param {(t: number) => void} show @param {AbortSignal} until */
+  follow(show, until) {
+    until.addEventListener("abort", this.#t.subscribe(show));
   }
 
   /** Where a moment stands between start and end. @param {number} t s @returns {number} % */
@@ -28,41 +35,30 @@ export class PlayHead extends TypedEvents {
   /** Go to a moment. @param {number} t s; one beyond the ends is the end */
   seek(t) {
     const within = Math.min(this.end, Math.max(this.start, t));
-    if (!Number.isFinite(within) || within === this.t) return;
-    this.t = within;
-    this.dispatchEvent(new Event("time"));
+    if (Number.isFinite(within)) this.#t.value = within;
   }
 
   play() {
-    if (this.playing) return;
+    if (this.isPlaying.value) return;
     if (this.t >= this.end) this.seek(this.start);
-    this.playing = true;
+    this.isPlaying.value = true;
     this.#last = performance.now();
     this.#frame = requestAnimationFrame((now) => this.#go(now));
-    this.dispatchEvent(new Event("state"));
   }
 
   pause() {
-    if (!this.playing) return;
-    this.playing = false;
+    this.isPlaying.value = false;
     cancelAnimationFrame(this.#frame);
-    this.dispatchEvent(new Event("state"));
   }
 
   toggle() {
-    if (this.playing) this.pause();
+    if (this.isPlaying.value) this.pause();
     else this.play();
-  }
-
-  /** @param {number} speed times as fast as it was driven */
-  setSpeed(speed) {
-    this.speed = speed;
-    this.dispatchEvent(new Event("state"));
   }
 
   /** @param {number} now ms */
   #go(now) {
-    this.seek(this.t + (this.speed * Math.max(0, now - this.#last)) / 1000);
+    this.seek(this.t + (this.speed.value * Math.max(0, now - this.#last)) / 1000);
     this.#last = now;
     if (this.t >= this.end) return this.pause();
     this.#frame = requestAnimationFrame((next) => this.#go(next));

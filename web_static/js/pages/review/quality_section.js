@@ -1,88 +1,75 @@
-/** The quality of control over trials: a figure to choose, for all joints or one, and what to look at. */
-import { t } from "../../texts.js";
-import { controlWarnings } from "../../results/control_warnings.js";
-import { h, put } from "../../widgets/dom.js";
-import { field, selection } from "../../widgets/fields.js";
-import { jointLabel } from "../../widgets/joint_words.js";
+/**
+ * The quality of control over trials: a figure to choose, for all joints or one, and what to look at.
+ * @import { QualityView } from "types/api"
+ */
 import { qualityChart } from "../../charts/quality_chart.js";
-import { groupMark } from "../../results/source_group.js";
+import { Fragment, h, useSignal } from "../../preact.js";
+import { ControlWarnings } from "../../results/control_warnings.js";
 import { OF_JOINT } from "../../results/quality_card.js";
+import { GroupMark } from "../../results/source_group.js";
+import { t } from "../../texts.js";
+import { Field, Selection } from "../../widgets/fields.js";
+import { jointLabel } from "../../widgets/joint_words.js";
+import { ChartPlace } from "./chart_place.js";
 
-/** @type {string[]} */
 const OF_ALL = ["map_angle_deg", "evr", "null_space_share", "cross_talk", "activations_per_metre", "activations"];
 const ALL = "";
 
-/**
- * @param {import("../../main.js").App} app @param {{id: number}} patient
- * @param {string} where the query that names floor plan and path @param {AbortSignal} signal
- * @returns {Promise<HTMLElement>}
- */
-export async function qualitySection(app, patient, where, signal) {
-  const found = await app.api.get(`/patients/${patient.id}/quality?${where}`);
-  const place = h("div", {});
-  const fields = h("div", { class: "columns filters" });
-  let joint = ALL;
-  let name = "map_angle_deg";
-  let drawn = new AbortController();
-  const draw = async () => {
-    drawn.abort();
-    const until = (drawn = new AbortController()).signal;
-    signal.addEventListener("abort", () => drawn.abort(), { signal: until });
-    const picture = await qualityChart(found.trials, name, joint, until);
-    if (!until.aborted) put(place, picture);
-  };
-  const redraw = () => app.toasts.attempt(draw);
-  const choose = () => {
-    /** @type {readonly string[]} */
-    const names = joint === ALL ? OF_ALL : OF_JOINT;
-    if (!names.includes(name)) name = names[0];
-    put(
-      fields,
-      field(
-        t("quality-choose"),
-        selection(
-          names.map((value) => ({ value, label: t(`quality-${value}`) })),
-          name,
-          (value) => {
-            name = value;
-            redraw();
-          },
-        ),
-      ),
-      field(
-        t("quality-choose-joint"),
-        selection(
-          [
-            { value: ALL, label: t("quality-all-joints") },
-            ...Object.entries(found.labels).map(([name, label]) => ({
-              value: name,
-              label: jointLabel({ name, label }),
-            })),
-          ],
-          joint,
-          (value) => {
-            joint = value;
-            choose();
-            redraw();
-          },
-        ),
-      ),
-    );
-  };
-  if (found.trials.length) {
-    choose();
-    await draw();
-  }
+/** @param {{app: import("../../main.js").App, left: AbortSignal, view: QualityView}} section */
+export function QualitySection({ app, left, view }) {
+  const { source, trials, warnings, note } = view;
   return h(
     "div",
     { class: "stack" },
-    controlWarnings(found.warnings, app.me?.role !== "reviewer"),
+    h(ControlWarnings, { warnings, mayChange: app.me?.role !== "reviewer" }),
     h(
       "section",
       { class: "card" },
-      h("h2", {}, t("quality-over"), " ", groupMark(found.source)),
-      found.trials.length ? [fields, place] : h("p", { class: "quiet" }, t("quality-empty")),
-      found.note && h("p", { class: "quiet small" }, found.note),
+      h("h2", {}, t("quality-over"), " ", h(GroupMark, { group: source })),
+      trials.length ? h(Course, { app, left, view }) : h("p", { class: "quiet" }, t("quality-empty")),
+      note && h("p", { class: "quiet small" }, note),
     ),
+  );
+}
+
+/**
+ * One figure over the trials.
+ * @param {{app: import("../../main.js").App, left: AbortSignal, view: QualityView}} course
+ */
+function Course({ app, left, view }) {
+  const chosen = useSignal({ name: "map_angle_deg", joint: ALL });
+  const joint = chosen.value.joint in view.labels ? chosen.value.joint : ALL;
+  /** @type {readonly string[]} */
+  const names = joint === ALL ? OF_ALL : OF_JOINT;
+  const name = names.includes(chosen.value.name) ? chosen.value.name : names[0];
+  const joints = Object.entries(view.labels).map(([value, label]) => ({
+    value,
+    label: jointLabel({ name: value, label }),
+  }));
+  const nameChoice = h(Selection, {
+    options: names.map((value) => ({ value, label: t(`quality-${value}`) })),
+    chosen: name,
+    onChange: (value) => (chosen.value = { name: value, joint }),
+  });
+  const jointChoice = h(Selection, {
+    options: [{ value: ALL, label: t("quality-all-joints") }, ...joints],
+    chosen: joint,
+    onChange: (value) => (chosen.value = { name, joint: value }),
+  });
+  return h(
+    Fragment,
+    {},
+    h(
+      "div",
+      { class: "columns filters" },
+      h(Field, { label: t("quality-choose") }, nameChoice),
+      h(Field, { label: t("quality-choose-joint") }, jointChoice),
+    ),
+    h(ChartPlace, {
+      app,
+      left,
+      of: [view, name, joint],
+      make: (until) => qualityChart(view.trials, name, joint, until),
+    }),
   );
 }

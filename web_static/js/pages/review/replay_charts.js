@@ -1,107 +1,109 @@
 /**
  * All charts of a trial's time line: chair, commands, activations, rates, scores, and the signals of one joint.
  * @import { GestureLine, Timeline } from "types/api"
+ * @import { PlayHead } from "./play_head.js"
+ * @typedef {{title: string, unit: string, lines: {name: string, values: (number | null)[]}[], range?: [number, number],
+ *   digits?: number, height?: number}} Chart what one chart shows
  */
+import { timeChart } from "../../charts/time_chart.js";
+import { h, useMemo, useSignal } from "../../preact.js";
+import { palette } from "../../shell/theme.js";
 import { t } from "../../texts.js";
-import { h, put } from "../../widgets/dom.js";
-import { field, selection } from "../../widgets/fields.js";
+import { Field, Selection } from "../../widgets/fields.js";
 import { gestureWords } from "../../widgets/gestures.js";
 import { labelsOf, sensorName } from "../../widgets/joint_words.js";
-import { palette } from "../../shell/theme.js";
-import { timeChart } from "../../charts/time_chart.js";
+import { Made } from "../../widgets/made.js";
 
 const DEGREES = 180 / Math.PI;
 const COLOURS = /** @type {const} */ (["action", "path-driven", "path-prescribed", "good", "attention", "bad"]);
 
-/**
- * @param {Timeline} line what GET /trials/ID/timeline answered @param {import("./play_head.js").PlayHead} head
- * @param {AbortSignal} signal
- */
-export function replayCharts(line, head, signal) {
-  const { colours, stop } = palette("border", "text-quiet", ...COLOURS);
-  const common = { times: line.t, state: line.state };
-  /**
-   * @param {string} title @param {string} unit @param {{name: string, values: (number | null)[]}[]} lines
-   * @param {{range?: [number, number], digits?: number, height?: number}} [more]
-   */
-  const make = (title, unit, lines, more = {}) =>
-    timeChart(
-      {
-        ...common,
-        title,
-        unit,
-        lines: lines.map((one, i) => ({ colour: COLOURS[i % COLOURS.length], ...one })),
-        ...more,
-      },
-      head,
-      colours,
-    );
-  const labels = labelsOf(line.joints);
-  /** @param {"activation" | "rate" | "score"} column */
-  const gestures = (column) => line.gestures.map((one) => ({ name: gestureWords(one, labels), values: one[column] }));
-  const fixed = [
-    make(t("replay-chair"), "m/s · °/s", [
-      { name: t("replay-v"), values: line.v },
-      { name: t("replay-omega"), values: line.omega.map((omega) => (omega === null ? null : omega * DEGREES)) },
-    ]),
-    make(
-      t("replay-commands"),
-      t("replay-unit-full"),
-      [
-        { name: t("replay-command-speed"), values: line.u1 },
-        { name: t("replay-command-turning"), values: line.u2 },
-      ],
-      { range: [-1, 1] },
-    ),
-  ];
-  if (line.gestures.length)
-    fixed.push(
-      make(t("replay-activations"), t("replay-unit-full"), gestures("activation"), { range: [0, 1] }),
-      make(t("replay-rates"), rateUnit(line.gestures), gestures("rate")),
-      make(t("replay-scores"), t("replay-unit-share"), gestures("score")),
-    );
-  /** @type {ReturnType<typeof timeChart> | null} */
-  let signals = null;
-  const place = h("div", {});
+/** @param {{line: Timeline, head: PlayHead, left: AbortSignal}} charts line: what GET /trials/ID/timeline answered */
+export function ReplayCharts({ line, head, left }) {
   const joints = line.joints.filter(({ channels }) => channels.length);
-  /** @param {string} name */
-  const chooseJoint = (name) => {
-    const joint = joints.find((one) => one.name === name) ?? joints[0];
-    const lines = joint.channels.map((channel) => ({ name: sensorName(channel.name), values: channel.values }));
-    signals = make(t("replay-signals", { shown: lines.length, of: joint.of }), "", lines, { digits: 3, height: 120 });
-    put(place, signals.element);
-    signals.draw();
-  };
-  const all = () => (signals ? [...fixed, signals] : fixed);
-  const draw = () => all().forEach((chart) => chart.draw());
-  const element = h(
+  const labels = labelsOf(line.joints);
+  const chosen = useSignal(joints[0]?.name);
+  const fixed = useMemo(() => fixedCharts(line), []);
+  const joint = joints.find(({ name }) => name === chosen.value);
+  return h(
     "section",
     { class: "card replay-charts" },
     h("h2", {}, t("replay-charts")),
     h("p", { class: "quiet small" }, t("replay-charts-lead")),
-    fixed.map((chart) => chart.element),
-    joints.length > 0 &&
-      field(
-        t("replay-joint"),
-        selection(
-          joints.map(({ name }) => ({ value: name, label: labels[name] })),
-          joints[0].name,
-          chooseJoint,
-        ),
+    fixed.map((chart) => h(TimeChart, { key: chart.title, chart, line, head, left })),
+    joint &&
+      h(
+        Field,
+        { label: t("replay-joint") },
+        h(Selection, {
+          options: joints.map(({ name }) => ({ value: name, label: labels[name] })),
+          chosen: joint.name,
+          onChange: (name) => void (chosen.value = name),
+        }),
       ),
-    place,
+    joint && h(TimeChart, { key: joint.name, chart: signalsOf(joint), line, head, left }),
   );
-  if (joints.length) chooseJoint(joints[0].name);
-  const size = new ResizeObserver(draw);
-  size.observe(element);
-  document.addEventListener("themechange", draw);
-  head.addEventListener("time", () => all().forEach((chart) => chart.show()), { signal });
-  signal.addEventListener("abort", () => {
-    size.disconnect();
-    document.removeEventListener("themechange", draw);
-    stop();
-  });
-  return element;
+}
+
+/** A chart as it is at first. @param {{chart: Chart, line: Timeline, head: PlayHead, left: AbortSignal}} place */
+function TimeChart({ chart, line, head, left }) {
+  /** @param {AbortSignal} gone */
+  const make = (gone) => {
+    const { colours, stop } = palette("border", "text-quiet", ...COLOURS);
+    const lines = chart.lines.map((one, i) => ({ colour: COLOURS[i % COLOURS.length], ...one }));
+    const { element, draw, show } = timeChart({ ...chart, lines, times: line.t, state: line.state }, head, colours);
+    const size = new ResizeObserver(draw);
+    size.observe(element);
+    document.addEventListener("themechange", draw, { signal: gone });
+    head.follow(show, gone);
+    gone.addEventListener("abort", () => {
+      size.disconnect();
+      stop();
+    });
+    return element;
+  };
+  return h(Made, { left, make });
+}
+
+/** The charts that every trial has. @param {Timeline} line @returns {Chart[]} */
+function fixedCharts({ v, omega, u1, u2, gestures, joints }) {
+  const labels = labelsOf(joints);
+  /** @param {"activation" | "rate" | "score"} column */
+  const linesOf = (column) => gestures.map((one) => ({ name: gestureWords(one, labels), values: one[column] }));
+  const degrees = omega.map((value) => (value === null ? null : value * DEGREES));
+  const [speed, turning] = [t("replay-command-speed"), t("replay-command-turning")];
+  const [full, share] = [t("replay-unit-full"), t("replay-unit-share")];
+  /** @type {Chart[]} */
+  const ofGestures = [
+    { title: t("replay-activations"), unit: full, lines: linesOf("activation"), range: [0, 1] },
+    { title: t("replay-rates"), unit: rateUnit(gestures), lines: linesOf("rate") },
+    { title: t("replay-scores"), unit: share, lines: linesOf("score") },
+  ];
+  return [
+    {
+      title: t("replay-chair"),
+      unit: "m/s · °/s",
+      lines: [
+        { name: t("replay-v"), values: v },
+        { name: t("replay-omega"), values: degrees },
+      ],
+    },
+    {
+      title: t("replay-commands"),
+      unit: full,
+      lines: [
+        { name: speed, values: u1 },
+        { name: turning, values: u2 },
+      ],
+      range: [-1, 1],
+    },
+    ...(gestures.length ? ofGestures : []),
+  ];
+}
+
+/** The signals of a joint. @param {Timeline["joints"][number]} joint @returns {Chart} */
+function signalsOf({ channels, of }) {
+  const lines = channels.map(({ name, values }) => ({ name: sensorName(name), values }));
+  return { title: t("replay-signals", { shown: lines.length, of }), unit: "", lines, digits: 3, height: 120 };
 }
 
 /** @param {GestureLine[]} gestures */

@@ -3,28 +3,31 @@
  * @import { SessionVerdicts, Verdict } from "types/api"
  * @import { Learning } from "types/documents"
  */
-import { t } from "../../texts.js";
-import { h } from "../../widgets/dom.js";
+import { h } from "../../preact.js";
 import { measureNames, nameOf, REACHED, withUnit } from "../../results/measures.js";
-import { noiseNote, shareWords, verdictLine, verdictWords } from "../../results/verdict_words.js";
+import { NoiseNote, shareWords, verdictLine, verdictWords } from "../../results/verdict_words.js";
+import { t } from "../../texts.js";
 import { day } from "../../widgets/format.js";
-import { scrollTable } from "../../widgets/scroll_table.js";
+import { ScrollTable, TableHead } from "../../widgets/scroll_table.js";
 
 /**
- * @param {Pick<Learning, "verdicts" | "trials">} learning @param {string} measure that stands first
- * @param {{id: number, sessions: number}} patient
+ * @param {{learning: Learning, measure: string, patient: {id: number, sessions: number}}} card measure: the one whose
+ *   verdict stands first
  */
-export function sessionVerdicts({ trials, verdicts: { sessions, deterioration, needed } }, measure, patient) {
+export function SessionVerdictsCard({ learning: { trials, verdicts }, measure, patient }) {
+  const { sessions, deterioration, needed } = verdicts;
   const worse = [deterioration[measure], deterioration[REACHED]].filter(Boolean);
   const days = new Map(trials.map(({ session, started }) => [session, day(started)]));
   return h(
     "section",
     { class: "card session-verdicts" },
     h("h2", {}, t("verdict-title")),
-    worse.map((words) => h("p", { class: "problem" }, words)),
+    worse.map((words) => h("p", { class: "problem", key: words }, words)),
     sessions.length === 0 && h("p", {}, countWords(trials), " ", t("verdict-needed", { count: needed })),
-    sessions.map((one) => comparison(one, measure, needed, days)),
-    sessions.length > 0 && noiseNote(),
+    sessions.map((compared) =>
+      h(Comparison, { key: `${compared.earlier} ${compared.later}`, compared, measure, needed, days }),
+    ),
+    sessions.length > 0 && h(NoiseNote, {}),
     patient.sessions > 1 &&
       h("p", {}, h("a", { class: "btn", href: `#/session/patient/${patient.id}/compare` }, t("verdict-compare"))),
   );
@@ -42,10 +45,15 @@ function lackWords({ word, trials }, needed) {
   return t(trials < needed ? "verdict-few" : "verdict-few-sessions", { count: trials, needed });
 }
 
-/** @param {SessionVerdicts} compared @param {string} measure @param {number} needed trials @param {Map<number, string>} days by session */
-function comparison(compared, measure, needed, days) {
+/**
+ * Two sessions.
+ * @param {{compared: SessionVerdicts, measure: string, needed: number, days: Map<number, string>}} comparison
+ *   needed: trials; days: by session
+ */
+function Comparison({ compared, measure, needed, days }) {
   const { earlier, later, trials, verdicts } = compared;
-  const verdict = verdictWords(measure, verdicts[measure]);
+  const own = verdicts[measure];
+  const inWords = verdictWords(measure, own);
   const [earlierTrials, laterTrials] = trials;
   const [earlierDay, laterDay] = [days.get(earlier), days.get(later)];
   const title = t("verdict-sessions", { earlier, earlierDay, earlierTrials, later, laterDay, laterTrials });
@@ -53,70 +61,51 @@ function comparison(compared, measure, needed, days) {
     "div",
     { class: "session-verdict" },
     h("h3", {}, title),
-    verdict &&
+    inWords &&
       h(
         "p",
         {},
-        `${nameOf(measure)}: ${withUnit(measure, verdicts[measure].earlier)} → ${withUnit(measure, verdicts[measure].later)} `,
-        verdicts[measure].word !== "number" && h("b", { class: `change ${verdict.tone}` }, verdictLine(verdict)),
-        ` ${lackWords(verdicts[measure], needed)}`,
+        `${nameOf(measure)}: ${withUnit(measure, own.earlier)} → ${withUnit(measure, own.later)} `,
+        own.word !== "number" && h("b", { class: `change ${inWords.tone}` }, verdictLine(inWords)),
+        ` ${lackWords(own, needed)}`,
       ),
     verdicts[REACHED] && reachedLine(verdicts[REACHED]),
-    Object.keys(verdicts).length > 0 && h("details", {}, h("summary", {}, t("verdict-all")), table(compared, title)),
+    Object.keys(verdicts).length > 0 &&
+      h("details", {}, h("summary", {}, t("verdict-all")), h(VerdictTable, { compared, title })),
   );
 }
 
 /** How often the goal was reached in the two sessions. @param {Verdict} verdict */
 function reachedLine(verdict) {
-  const said = verdictWords(REACHED, verdict);
+  const inWords = verdictWords(REACHED, verdict);
   return h(
     "p",
     {},
     `${nameOf(REACHED)}: ${shareWords(verdict.earlier)} → ${shareWords(verdict.later)} `,
-    said && h("b", { class: `change ${said.tone}` }, verdictLine(said)),
+    inWords && h("b", { class: `change ${inWords.tone}` }, verdictLine(inWords)),
   );
 }
 
-/** @param {SessionVerdicts} compared @param {string} title */
-function table({ earlier, later, verdicts }, title) {
+/** @param {{compared: SessionVerdicts, title: string}} table */
+function VerdictTable({ compared: { earlier, later, verdicts }, title }) {
   /** @param {string} name */
   const row = (name) => {
-    const verdict = verdictWords(name, verdicts[name]);
+    const inWords = verdictWords(name, verdicts[name]);
     return h(
       "tr",
-      {},
+      { key: name },
       h("th", { scope: "row" }, nameOf(name)),
-      h("td", { class: `change ${verdict?.tone ?? ""}` }, verdict ? `${verdict.arrow} ${verdict.words}` : "–"),
+      h("td", { class: `change ${inWords?.tone ?? ""}` }, inWords ? `${inWords.arrow} ${inWords.words}` : "–"),
       h("td", {}, withUnit(name, verdicts[name].earlier)),
       h("td", { class: "own" }, withUnit(name, verdicts[name].later)),
-      h("td", {}, verdict?.noise ?? "–"),
+      h("td", {}, inWords?.noise ?? "–"),
     );
   };
-  const head = [
-    t("over-measure"),
-    t("verdict-column"),
-    t("verdict-session", { number: earlier }),
-    t("verdict-session", { number: later }),
+  const columns = [
+    ...[t("over-measure"), t("verdict-column")],
+    ...[earlier, later].map((number) => t("verdict-session", { number })),
     t("verdict-noise"),
   ];
-  return scrollTable(
-    title,
-    "measures",
-    h(
-      "thead",
-      {},
-      h(
-        "tr",
-        {},
-        head.map((words) => h("th", { scope: "col" }, words)),
-      ),
-    ),
-    h(
-      "tbody",
-      {},
-      measureNames()
-        .filter((name) => verdicts[name])
-        .map(row),
-    ),
-  );
+  const names = measureNames().filter((name) => verdicts[name]);
+  return h(ScrollTable, { label: title, kind: "measures" }, h(TableHead, { columns }), h("tbody", {}, names.map(row)));
 }

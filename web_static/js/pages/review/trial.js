@@ -1,32 +1,34 @@
 /**
  * One trial of Review: its replay, where one slider moves picture, plan and charts together, and what it came to.
  * @import { App } from "../../main.js"
- * @import { Timeline } from "types/api"
- * @typedef {ReturnType<typeof commentsCard>} Comments
- * @import { TrialReading } from "../../results/trial_over.js"
+ * @import { FloorPlan, Timeline, TrialDetail } from "types/api"
+ * @import { CommentStore } from "./comments_card.js"
  */
-import { commentsCard } from "./comments_card.js";
-import { emptyPage } from "../../shell/nobody.js";
 import { failureWords } from "../../api.js";
-import { h } from "../../widgets/dom.js";
-import { PlayHead } from "./play_head.js";
-import { eventList, playBar, playKeys } from "./play_bar.js";
-import { replayCharts } from "./replay_charts.js";
-import { replayDrawn, replayPlan } from "../../plan/replay_plan.js";
-import { replayView } from "./replay_view.js";
+import { replayPlan } from "../../plan/replay_plan.js";
+import { h, render } from "../../preact.js";
 import { readTrial, showTrialOver } from "../../results/trial_over.js";
+import { emptyPage } from "../../shell/nobody.js";
 import { t } from "../../texts.js";
+import { h as element } from "../../widgets/dom.js";
+import { Made } from "../../widgets/made.js";
+import { CommentMarks, CommentsCard, commentStore } from "./comments_card.js";
+import { EventList, PlayBar, playKeys } from "./play_bar.js";
+import { PlayHead } from "./play_head.js";
+import { ReplayCharts } from "./replay_charts.js";
+import { ReplayView } from "./replay_view.js";
 
-/** @param {import("../../main.js").App} app @param {HTMLElement} root @param {{signal: AbortSignal, rest: string[]}} page */
-export async function show(app, root, { signal, rest: [patient, , id] }) {
+/** @param {App} app @param {HTMLElement} root @param {{signal: AbortSignal, rest: string[]}} page */
+export async function show(app, root, { signal: left, rest: [patient, , id] }) {
   const read = await readTrial(app.api, id);
-  if (signal.aborted) return;
-  app.setSubject({ code: read.trial.patient_code, sessions: [read.trial.session_number] });
-  if (read.trial.status === "running") {
+  if (left.aborted) return;
+  const { trial } = read;
+  app.setSubject({ code: trial.patient_code, sessions: [trial.session_number] });
+  if (trial.status === "running") {
     app.live.addEventListener("changed", ({ detail }) => ["trial", "everything"].includes(detail) && app.show(), {
-      signal,
+      signal: left,
     });
-    const title = t("review-running-title", { number: read.trial.number });
+    const title = t("review-running-title", { number: trial.number });
     return emptyPage(root, title, t("review-running-lead"), `#/review/${patient}`, t("review-back"));
   }
   let why = "";
@@ -34,35 +36,41 @@ export async function show(app, root, { signal, rest: [patient, , id] }) {
     app.api.get(`/trials/${id}/timeline`).catch((error) => void (why = failureWords(error))),
     app.api.get(`/trials/${id}/comments`),
   ]);
-  if (signal.aborted) return;
-  const head = line ? new PlayHead(Number(line.t[0]), Number(line.t.at(-1)), signal) : null;
-  const card = commentsCard(app, read.trial.id, comments, head, signal);
-  const above =
-    line && head
-      ? replay(app, root, read, line, head, card, signal)
-      : withoutReplay(why, comments.length > 0 && card.element);
-  const back = () => [h("a", { class: "btn", href: `#/review/${patient}` }, t("review-back"))];
+  if (left.aborted) return;
+  const store = commentStore(app, trial.id, comments, left);
+  const above = element("div");
+  if (line) {
+    const head = new PlayHead(Number(line.t[0]), Number(line.t.at(-1)), left);
+    const plan = line.floorplan ?? read.plan;
+    render(h(Replay, { app, left, trial, plan, line, head, store }), above);
+    playKeys(root, head, left);
+  } else render(h(WithoutReplay, { why, store }), above);
+  const back = () => [element("a", { class: "btn", href: `#/review/${patient}` }, t("review-back"))];
   showTrialOver(app, root, read, back, above);
 }
 
-/** @param {string} why @param {HTMLElement | false} card the comments on the trial, when there are some */
-function withoutReplay(why, card) {
-  return h("div", { class: "replay" }, h("p", { class: "card quiet" }, t("replay-none"), " ", why), card);
+/** Why there is no replay, and the comments, when there are some. @param {{why: string, store: CommentStore}} page */
+function WithoutReplay({ why, store }) {
+  return h(
+    "div",
+    { class: "replay" },
+    h("p", { class: "card quiet" }, t("replay-none"), " ", why),
+    store.comments.value.length > 0 && h(CommentsCard, { store, head: null }),
+  );
 }
 
 /**
- * @param {App} app @param {HTMLElement} root @param {TrialReading} read @param {Timeline} line @param {PlayHead} head
- * @param {Comments} comments @param {AbortSignal} signal
+ * @param {{app: App, left: AbortSignal, trial: TrialDetail, plan: FloorPlan | null, line: Timeline, head: PlayHead,
+ *   store: CommentStore}} replay plan: null where the place is not known
  */
-function replay(app, root, { trial, plan }, line, head, comments, signal) {
-  const where = line.floorplan ?? plan;
-  const fromAbove = where && replayPlan(where, trial, line, t("replay-plan"));
-  if (fromAbove) {
-    const show = () => fromAbove.show(head.t);
-    head.addEventListener("time", show, { signal });
-    show();
-  }
-  const element = h(
+function Replay({ app, left, trial, plan, line, head, store }) {
+  /** @param {FloorPlan} known @param {AbortSignal} gone */
+  const fromAbove = (known, gone) => {
+    const picture = replayPlan(known, trial, line, t("replay-plan"));
+    head.follow(picture.show, gone);
+    return picture.element;
+  };
+  return h(
     "section",
     { class: "replay", "aria-label": t("replay-title") },
     line.message && h("p", { class: "problem" }, line.message),
@@ -72,20 +80,24 @@ function replay(app, root, { trial, plan }, line, head, comments, signal) {
       h(
         "div",
         { class: "replay-pictures" },
-        replayView(app, trial.id, where && replayDrawn(where, trial, line), head, signal),
-        fromAbove && h("section", { class: "card replay-plan" }, h("h2", {}, t("replay-plan")), fromAbove.element),
+        h(ReplayView, { app, trial, plan, line, head, left }),
+        plan &&
+          h(
+            "section",
+            { class: "card replay-plan" },
+            h("h2", {}, t("replay-plan")),
+            h(Made, { left, make: (gone) => fromAbove(plan, gone) }),
+          ),
       ),
       h(
         "div",
         { class: "replay-lines" },
-        comments.element,
-        replayCharts(line, head, signal),
-        eventList(line.events, head),
+        h(CommentsCard, { store, head }),
+        h(ReplayCharts, { line, head, left }),
+        h(EventList, { events: line.events, head }),
       ),
     ),
-    playBar(head, line.events, signal, comments.marks),
+    h(PlayBar, { head, events: line.events }, h(CommentMarks, { store, head })),
     h("p", { class: "quiet small" }, t("replay-keys")),
   );
-  playKeys(root, head, signal);
-  return element;
 }
