@@ -11,7 +11,8 @@ import numpy as np
 import pyarrow as pa
 import pyarrow.parquet
 import pytest
-from cli.answers import output_of
+from cli.answers import assert_refused, output_of
+from cli.conftest import write_table
 
 from app.cli.study import study_runs
 from app.texts import from_document
@@ -21,18 +22,14 @@ CALIBRATE = ("calibrate", "signals.csv", "--layout", "layout.json", "--out", "pr
 
 
 def refused(answer, words):
-    code, out, err = answer
-    assert (code, out) == (2, "")
-    assert words in err
-    assert err.startswith("bodydrive: ")
-    assert err.count("\n") == 1
-    assert err.rstrip("\n").isprintable()
+    assert_refused(answer, words)
+    assert answer[2].startswith("bodydrive: ")
+    assert answer[2].rstrip("\n").isprintable()
 
 
 def parsed(answer):
     """Return the JSON object on stdout, which must not hold NaN or infinity."""
-    code, out, err = answer
-    assert (code, err) == (0, "")
+    out = output_of(answer)
     assert out.count("\n") == 1
     return json.loads(out, parse_constant=pytest.fail)
 
@@ -96,7 +93,7 @@ def test_two_columns_of_one_name_in_parquet(bodydrive, shirt, tmp_path):
     refused(bodydrive("calibrate", "signals.parquet", *CALIBRATE[2:]), "there are two columns 'a_1'")
 
 
-def test_numbers_that_no_sensor_gives_are_missing_ones(bodydrive, shirt, tmp_path, write_table):
+def test_numbers_that_no_sensor_gives_are_missing_ones(bodydrive, shirt, tmp_path):
     """Values beyond float32, beyond a profile's range, and infinite: many of them exclude the channel."""
     for column, number in ((1, 1e300), (2, 1e30), (4, np.inf)):
         shirt[500:530, column] = number
@@ -115,13 +112,13 @@ def test_numbers_that_no_sensor_gives_are_missing_ones(bodydrive, shirt, tmp_pat
 
 
 @pytest.mark.parametrize("scale", [1e-200, 1e13])
-def test_signals_of_no_sensible_size_are_refused(bodydrive, shirt, tmp_path, write_table, scale):
+def test_signals_of_no_sensible_size_are_refused(bodydrive, shirt, tmp_path, scale):
     shirt[:, 1:] = (shirt[:, 1:] + 2) * scale if scale > 1 else shirt[:, 1:] * scale
     write_table(tmp_path / "signals.csv", shirt)
     refused(bodydrive(*CALIBRATE), "no joint of 'two elbows' has a sensor that can be used")
 
 
-def test_a_joint_is_kept_when_each_of_its_channels_misses_a_few_samples(bodydrive, shirt, tmp_path, write_table):
+def test_a_joint_is_kept_when_each_of_its_channels_misses_a_few_samples(bodydrive, shirt, tmp_path):
     whole = parsed(bodydrive(*CALIBRATE, "--prompts", "prompts.csv", "--json"))["joints"]["right_elbow"]
     missing = np.random.default_rng(3).random((len(shirt), 3)) < 0.03
     shirt[:, 1:4][missing] = np.nan

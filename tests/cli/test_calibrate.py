@@ -1,39 +1,21 @@
 import json
 
-import numpy as np
 import pytest
 from cli.answers import invoke
+from cli.conftest import write_shirt
 from cli.symbols import symbols_in
 
 from app.calibration.profile import CalibrationProfile
 from app.cli.calibration.calibrate import calibrate
 from app.cli.errors import InputError
-from app.layout import Channel, Joint, ShirtLayout
 
-JOINTS = ("right_elbow", "left_elbow")
-FS = 100
 STROKES = {"right_elbow": (4.0, 8.0, 12.0), "left_elbow": (6.0, 10.0, 14.0)}  # s: when each elbow bends for 1 s
 
 
 @pytest.fixture
 def files(tmp_path):
     """Sixteen seconds of two elbows that bend in turn, on six channels of which some fall when the elbow bends."""
-    rng = np.random.default_rng(1)
-    layout = ShirtLayout(
-        name="elbows",
-        channels=tuple(Channel(name=f"{joint}_{i}", joint=joint) for joint in JOINTS for i in range(3)),
-        joints=tuple(Joint(name=joint, label=joint) for joint in JOINTS),
-    )
-    (tmp_path / "layout.json").write_text(layout.model_dump_json())
-    t = np.arange(16 * FS) / FS
-    channels = []
-    for joint, gains in zip(JOINTS, ((-1.0, -0.5, 0.2), (0.8, 0.3, -0.6)), strict=True):
-        bent = sum(0.5 - 0.5 * np.cos(np.pi * np.clip(t - start, 0, 2)) for start in STROKES[joint])
-        channels += [gain * bent + 0.004 * rng.normal(size=len(t)) for gain in gains]
-    header = ",".join(["t", *layout.channel_names])
-    np.savetxt(tmp_path / "signals.csv", np.column_stack([t, *channels]), "%.5f", ",", header=header, comments="")
-    rows = [f"{start},{start + 1},{joint}" for joint, starts in STROKES.items() for start in starts]
-    (tmp_path / "prompts.csv").write_text("\n".join(["start,end,joint", *rows]) + "\n")
+    write_shirt(tmp_path, "elbows", STROKES, ((-1.0, -0.5, 0.2), (0.8, 0.3, -0.6)), seconds=16, seed=1, form="%.5f")
     return tmp_path
 
 

@@ -1,15 +1,18 @@
 """`bodydrive chair`: a pairing that is complete or not made, and the receiver as a subcommand."""
 
+import io
 import re
 import shlex
 import sqlite3
 import stat
+from contextlib import closing
 
 import pytest
 from cli.answers import assert_refused, output_of
 
 from app.cli.clinic_folder import lock_folder
-from app.hardware.chair.key import LARGEST_ID, read_key
+from app.cli.qr import terminal_code
+from app.hardware.chair.key import LARGEST_ID, new_key, read_key
 from app.hardware.chair.receive import _parser
 from app.session.equipment import pairing
 from app.speed_limits import Speeds
@@ -22,12 +25,8 @@ BLUE = ("chair", "pair", "--name", "Blue", "--host", "10.0.0.7", "--state", "cli
 
 
 def in_database(tmp_path, read):
-    database = Database(tmp_path / "clinic" / "bodydrive.sqlite")
-    try:
-        with database.transaction() as db:
-            return read(db, the_clinic(db))
-    finally:
-        database.close()
+    with closing(Database(tmp_path / "clinic" / "bodydrive.sqlite")) as database, database.transaction() as db:
+        return read(db, the_clinic(db))
 
 
 def paired(tmp_path):
@@ -72,11 +71,6 @@ def test_the_code_says_the_line_of_the_key_file_and_no_word_does(bodydrive, tmp_
 
 
 def test_a_terminal_without_blocks_gets_the_code_in_plain_letters(monkeypatch, tmp_path):
-    import io
-
-    from app.cli.qr import terminal_code
-    from app.hardware.chair.key import new_key
-
     plain = io.TextIOWrapper(io.BytesIO(), encoding="ascii")
     monkeypatch.setattr("sys.stdout", plain)
     drawn = terminal_code(new_key(1).line)

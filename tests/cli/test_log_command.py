@@ -60,11 +60,8 @@ def test_a_changed_log_is_a_sentence_and_code_1(bodydrive, file, done, said):
 def test_what_is_no_log_is_a_sentence_and_code_2(bodydrive, tmp_path, file):
     for content in (b"no database" * 1000, b""):
         file.write_bytes(content)
-        code, out, err = bodydrive("log", "verify", "--state", "clinic")
-        assert (code, out, err.count("\n")) == (2, "", 1)
-    code, _, err = bodydrive("log", "verify", "--state", "nowhere")
-    assert code == 2
-    assert "no clinic in" in err
+        assert_refused(bodydrive("log", "verify", "--state", "clinic"))
+    assert_refused(bodydrive("log", "verify", "--state", "nowhere"), "no clinic in")
     assert not (tmp_path / "nowhere").exists()
 
 

@@ -35,9 +35,7 @@ def map_file(tmp_path):
 
 
 def test_score_prints_one_object(bodydrive, tables):
-    code, out, err = bodydrive("score", "driven.csv", "path.csv", "--json")
-    measures = json.loads(out)
-    assert (code, err) == (0, "")
+    measures = json.loads(output_of(bodydrive("score", "driven.csv", "path.csv", "--json")))
     assert list(measures) == [
         *("dist", "path_length", "dist_ratio", "e_diff", "cross_track_rms", "cross_track_max", "cross_track_mean"),
         *("time", "mean_speed", "stops", "sparc", "ldlj", "reached"),
@@ -52,8 +50,7 @@ def test_the_goals_radius_can_be_set(bodydrive, tables):
 
 
 def test_score_in_words(bodydrive, tables):
-    code, out, _ = bodydrive("score", "driven.csv", "path.csv")
-    assert code == 0
+    out = output_of(bodydrive("score", "driven.csv", "path.csv"))
     assert "Area off the path                            5.000 m²" in out
     assert symbols_in(out) == []
 
@@ -78,9 +75,7 @@ def test_loops_in_opposite_directions_cancel_in_the_area_which_is_said_beside_it
 def test_columns_of_controls_and_contacts_give_more(bodydrive, tables):
     (tables / "more.csv").write_text("t,x,y,u1,u2,in_contact,extra\n0,0,0,1,0,0,a\n10,5,0,0,1,1,b\n20,10,0,0,-1,0,c\n")
     measures = json.loads(bodydrive("score", "more.csv", "path.csv", "--json")[1])
-    assert measures["collisions"] == 1
-    assert measures["contact_time"] == 10
-    assert measures["turn_reversals"] == 1
+    assert (measures["collisions"], measures["contact_time"], measures["turn_reversals"]) == (1, 10, 1)
     assert measures["pulses_per_metre"] == pytest.approx(0.3)
 
 
@@ -101,9 +96,8 @@ def test_score_refuses_in_one_sentence(bodydrive, tables, words, sentence):
 
 
 def test_a_map_becomes_a_plan(bodydrive, tmp_path, map_file):
-    code, out, _ = bodydrive("floorplan", "import", map_file, "--out", "plans/hall.json", "--title", "Hall", "--json")
-    assert code == 0
-    summary = json.loads(out)
+    words = ("--out", "plans/hall.json", "--title", "Hall", "--json")
+    summary = json.loads(output_of(bodydrive("floorplan", "import", map_file, *words)))
     assert (summary["name"], summary["title"], summary["walls"]) == ("hall", "Hall", 4)
     plan = json.loads((tmp_path / "plans" / "hall.json").read_text())
     assert plan["title"] == "Hall"
@@ -125,8 +119,7 @@ def test_a_drawing_and_a_picture_become_plans(bodydrive, tmp_path):
         ("room.png --width 10", 9),
     ):
         out = output_of(bodydrive("floorplan", "import", *words.split(), "--out", "room.json", "--json"))
-        summary = json.loads(out)
-        assert summary["walls"] == 4
+        assert json.loads(out)["walls"] == 4
         plan = load_floorplan(tmp_path / "room.json")
         assert plan.bounds[2] - plan.bounds[0] == pytest.approx(length, abs=0.11)
     for words, sentence in (

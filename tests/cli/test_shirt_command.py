@@ -7,6 +7,7 @@ import sqlite3
 import stat
 import subprocess
 import sys
+from contextlib import closing
 
 import pytest
 from cli.answers import assert_refused, output_of
@@ -48,10 +49,8 @@ def test_pairing_keeps_a_key_and_says_what_to_do_with_it(bodydrive, tmp_path):
     assert key.secret.hex() not in out
     given = sender._parser("sender").parse_args(shlex.split(out.splitlines()[-1].replace("HOST", "10.0.0.7"))[3:])
     assert (str(given.key_file), given.to) == ("shirt-1.key", ("10.0.0.7", 5252))
-    database = Database(tmp_path / "clinic" / "bodydrive.sqlite")
-    with database.transaction() as db:
+    with closing(Database(tmp_path / "clinic" / "bodydrive.sqlite")) as database, database.transaction() as db:
         assert [(row.what, row.details) for row in db.query(LogEntry)] == [("shirt paired", {"key_id": 1})]
-    database.close()
 
 
 def test_a_pairing_writes_nothing_that_others_can_read(bodydrive, tmp_path):
@@ -60,10 +59,8 @@ def test_a_pairing_writes_nothing_that_others_can_read(bodydrive, tmp_path):
         assert bodydrive(*PAIR)[0] == 0
     finally:
         os.umask(before)
-    open_to_others = [
-        file.name for file in (tmp_path / "clinic").rglob("*") if stat.S_IMODE(file.stat().st_mode) & NOT_OWNER
-    ]
-    assert open_to_others == []
+    files = (tmp_path / "clinic").rglob("*")
+    assert [file.name for file in files if stat.S_IMODE(file.stat().st_mode) & NOT_OWNER] == []
 
 
 def test_a_number_of_a_key_is_never_used_again(bodydrive, key_file):

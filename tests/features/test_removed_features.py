@@ -17,6 +17,7 @@ from folders import ROOT
 
 # Commands of the kernel that add commands of a feature themselves, when it is there.
 ADDS = {"prior": "prior"}
+ENVIRONMENT = os.environ | {"PYTHONPATH": os.pathsep.join(str(ROOT / part) for part in ("", "tests"))}
 ENDS = ("DELETE /session", "DELETE /patients/1", "POST /deleted-patients/1/erasure")
 
 
@@ -24,11 +25,8 @@ ENDS = ("DELETE /session", "DELETE /patients/1", "POST /deleted-patients/1/erasu
 def answers(tmp_path_factory: pytest.TempPathFactory) -> Callable[[str], dict[str, int]]:
     """Return a function that returns the status of each answer of a program without a feature."""
     folder = tmp_path_factory.mktemp("features")
-    paths = os.pathsep.join(str(ROOT / part) for part in ("", "tests"))
     command = [sys.executable, "-m", "features.without_feature", str(folder)]
-    ended = subprocess.run(
-        command, cwd=ROOT, env=os.environ | {"PYTHONPATH": paths}, check=False, capture_output=True, text=True
-    )
+    ended = subprocess.run(command, cwd=ROOT, env=ENVIRONMENT, check=False, capture_output=True, text=True)
     assert ended.returncode == 0, ended.stderr
 
     def of(name: str) -> dict[str, int]:
@@ -83,7 +81,5 @@ def test_the_command_of_priors_adds_those_of_the_clinic_with_the_feature(hidden:
         from app.cli.calibration.prior_command import prior_app
         print(*(command.name for command in prior_app.registered_commands))
     """
-    paths = os.pathsep.join(str(ROOT / part) for part in ("", "tests"))
-    environment = os.environ | {"PYTHONPATH": paths}
-    names = subprocess.run([sys.executable, "-c", code], env=environment, check=True, capture_output=True, text=True)
+    names = subprocess.run([sys.executable, "-c", code], env=ENVIRONMENT, check=True, capture_output=True, text=True)
     assert {"export", "import"} & set(names.stdout.split()) == added

@@ -184,22 +184,18 @@ def test_a_shirt_too_slow_for_the_tremor_damping_takes_no_controls_and_ends_noth
     control.done("parameters", parameters=control.parameters.model_dump(mode="json"))
 
 
-def test_a_defect_of_a_command_is_a_sentence_and_ends_nothing(control, monkeypatch):
-    def fails(_speeds):
+def test_a_defect_of_a_command_or_after_a_device_was_opened_is_a_sentence_and_ends_nothing(control, monkeypatch):
+    def fails(*_):
         raise KeyError("nobody\nforesaw this")
 
-    monkeypatch.setattr(control.setup, "use_clinic", fails)
-    assert "report it" in control.refused("limits", clinic=limits())
-    control.done("status")
-
-
-def test_a_defect_after_a_device_was_opened_is_a_sentence_and_ends_nothing(control, monkeypatch):
-    def fails():
-        raise KeyError("nobody foresaw this")
-
-    monkeypatch.setattr(control.loop, "begin_anew", fails)
-    assert "report it" in control.refused("chair", config={"kind": "virtual"})
-    control.done("status")
+    for part, name, do, fields in (
+        (control.setup, "use_clinic", "limits", {"clinic": limits()}),
+        (control.loop, "begin_anew", "chair", {"config": {"kind": "virtual"}}),
+    ):
+        with monkeypatch.context() as broken:
+            broken.setattr(part, name, fails)
+            assert "report it" in control.refused(do, **fields)
+        control.done("status")
 
 
 def test_what_nobody_could_stop_is_not_armed(control):
@@ -272,9 +268,8 @@ def test_a_source_without_trust_arms_no_real_chair(control, chair, tmp_path):
     digest = control.parameters.hash
     network_shirt(control)
     assert "a shirt without a key arms no real chair" in control.refused("arm", hash=digest).lower()
-    control.done(
-        "shirt", config={"kind": "simulator", "layout": control.parameters.profile.layout.model_dump(mode="json")}
-    )
+    layout = control.parameters.profile.layout.model_dump(mode="json")
+    control.done("shirt", config={"kind": "simulator", "layout": layout})
     control.setup.use_parameters(control.parameters)
     assert "nobody wears it" in control.refused("arm", hash=digest)
     network_shirt(control, key_file=str(shirt_key_file(tmp_path, pair_shirt(tmp_path).id)))

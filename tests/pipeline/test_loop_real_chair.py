@@ -128,8 +128,7 @@ def test_the_same_frames_give_the_same_command_log_on_both_chairs(make_drive, ch
         drive = make_drive(times, signals, which)
         drive.arm()
         drive.until(20.0)
-        ticks = drive.ticks()
-        logs.append(ticks)
+        logs.append(drive.ticks())
     virtual, real = (log[: min(map(len, logs))] for log in logs)
     assert len(real) > 1900
     assert virtual["t"].tolist() == real["t"].tolist()
@@ -213,10 +212,9 @@ def test_a_recording_that_ends_or_breaks_stops_it(make_drive, chair, broken):
     drive.arm()
     if broken:
         drive.loop.run.writer.damage = Text("recording-not-written", reason="full")
-        drive.until(2.0)
     else:
         drive.loop.run = None
-        drive.until(2.0)
+    drive.until(2.0)
     assert drive.gate.fault is Fault.RECORDING_LOST
     assert chair.last.flags == STOP
 

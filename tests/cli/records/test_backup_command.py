@@ -1,6 +1,7 @@
 """`bodydrive backup` and `bodydrive restore`, with and without a running program."""
 
 import json
+from contextlib import closing
 from pathlib import Path
 from typing import Any
 
@@ -32,30 +33,21 @@ def settings(tmp_path: Path) -> Settings:
 
 def test_a_disk_died_and_the_clinic_is_there_again(bodydrive: Any, settings: Settings, tmp_path: Path) -> None:
     with lock_folder(settings.state):  # while the program runs
-        code, out, err = bodydrive("backup", "clinic.backup", "--state", "clinic")
-    assert (code, err) == (0, "")
+        out = output_of(bodydrive("backup", "clinic.backup", "--state", "clinic"))
     assert "every hash is right" in out
     assert "without the keys" in out
-    code, checked, _ = bodydrive("backup", "clinic.backup", "--check", "--json")
-    assert (code, json.loads(checked)["hash"] in out) == (0, True)
+    digest = json.loads(output_of(bodydrive("backup", "clinic.backup", "--check", "--json")))["hash"]
+    assert digest in out
     out = output_of(bodydrive("restore", "clinic.backup", "--state", "new", "--json"))
-    assert json.loads(out)["hash"] == json.loads(checked)["hash"]
-    database = Database(settings.database)
-    with database.transaction() as db:
+    assert json.loads(out)["hash"] == digest
+    with closing(Database(settings.database)) as database, database.transaction() as db:
         last = db.query(LogEntry).order_by(LogEntry.id.desc()).first()
         row = db.query(MadeBackup).order_by(MadeBackup.id.desc()).first()
         assert last is not None
         assert row is not None
-        assert (last.person, last.what, last.details["hash"]) == (
-            "command line",
-            "backup made",
-            json.loads(checked)["hash"],
-        )
+        assert (last.person, last.what, last.details["hash"]) == ("command line", "backup made", digest)
         assert (row.name, row.good, row.in_folder) == ("clinic.backup", True, False)
-    database.close()
-    code, out, err = bodydrive("restore", "clinic.backup", "--state", "new")
-    assert code == 2
-    assert "is not empty" in err
+    assert_refused(bodydrive("restore", "clinic.backup", "--state", "new"), "is not empty")
 
 
 def test_a_folder_with_a_passphrase(
@@ -67,13 +59,11 @@ def test_a_folder_with_a_passphrase(
     monkeypatch.setenv("BODYDRIVE_PASSPHRASE", "long enough it is")
     code, out, _ = bodydrive("backup", "stick", "--encrypt", "--state", "clinic", "--json")
     assert (code, json.loads(out)["encrypted"]) == (0, True)
-    file = f"stick/{json.loads(out)['name']}"
     assert bodydrive("backup", "stick", "--state", "clinic")[0] == 0  # the folder says that it is encrypted
     (file,) = [f"stick/{one.name}" for one in (tmp_path / "stick").glob("*.backup")]
     for words in (("restore", "stick", "--state", "new"), ("backup", "stick", "--check")):
-        code, _, err = bodydrive(*words)
-        assert code == 2
-        assert err.endswith(f"stick is a folder of backups: name one of its files; the newest is {file}.\n")
+        newest = f"stick is a folder of backups: name one of its files; the newest is {file}.\n"
+        assert_refused(bodydrive(*words), newest)
     assert bodydrive("restore", file, "--state", "new")[0] == 0
     monkeypatch.setenv("BODYDRIVE_PASSPHRASE", "this is another one")
     assert "passphrase is wrong" in bodydrive("restore", file, "--state", "newer")[2]

@@ -4,12 +4,14 @@ import io
 import json
 import tarfile
 import tracemalloc
+from contextlib import closing
 from datetime import timedelta
 from hashlib import sha256
 from pathlib import Path
 from typing import Any
 
 import pytest
+from cli.answers import assert_refused, output_of
 from sqlalchemy import text
 from store.keeping.filled_clinic import two_patients
 
@@ -39,15 +41,13 @@ def settings(tmp_path: Path) -> Settings:
     """A clinic where Zebra was here three days ago, and Heron an hour ago, with a recording that is going on."""
     made = Settings(state=tmp_path / "clinic")
     two_patients(made, "Zebra", "Heron")
-    database = Database(made.database)
-    with database.transaction() as db:
+    with closing(Database(made.database)) as database, database.transaction() as db:
         for number, age in ((1, timedelta(days=3)), (2, timedelta(hours=1))):
             session = db.get_one(PatientSession, number)
             session.started = session.ended = utc_now() - age
         db.execute(text("UPDATE incident SET lifted = made"))
         write_log(db, "Ada", "something happened")
         newest = db.query(Run).where(Run.session_id == 2).one().folder
-    database.close()
     (made.runs / newest / "end.json").unlink()
     (made.runs / newest / "segment-0000.arrows").write_bytes(b"rows of now")
     return made
@@ -68,8 +68,7 @@ def contents(file: Path) -> dict[str, bytes]:
 
 def test_the_last_24_hours_are_in_it_and_are_kept(bodydrive: Any, settings: Settings, tmp_path: Path) -> None:
     with lock_folder(settings.state):  # while the program runs
-        code, out, err = bodydrive("incident", "a.incident", "--state", "clinic", "--json")
-    assert (code, err) == (0, "")
+        out = output_of(bodydrive("incident", "a.incident", "--state", "clinic", "--json"))
     found = contents(tmp_path / "a.incident")
     recordings = [name for name in found if name.startswith("recordings/")]
     assert [name.rsplit("/")[-1] for name in recordings] == ["run.parquet", "segment-0000.arrows"]
@@ -158,9 +157,7 @@ def test_a_change_of_any_part_is_found(bodydrive: Any, settings: Settings, tmp_p
     ):
         at = places[name] + 40
         (tmp_path / "b.incident").write_bytes(whole[:at] + bytes([whole[at] ^ 1]) + whole[at + 1 :])
-        code, out, err = bodydrive("incident", "b.incident", "--check")
-        assert (code, out) == (2, ""), name
-        assert sentence in err
+        assert_refused(bodydrive("incident", "b.incident", "--check"), sentence)
     (tmp_path / "b.incident").write_bytes(whole[: len(whole) // 2])
     assert "damaged or was cut off" in bodydrive("incident", "b.incident", "--check")[2]
 

@@ -1,5 +1,6 @@
 """`bodydrive report`: the suffix decides about the form; bad input is a sentence, and nothing is written."""
 
+from contextlib import closing
 from datetime import date
 
 import pytest
@@ -26,11 +27,8 @@ def clinic(tmp_path):
 
 
 def log_of(clinic):
-    database = Database(clinic / "bodydrive.sqlite")
-    with database.transaction() as db:
-        rows = [(row.person, row.what) for row in db.query(LogEntry)]
-    database.close()
-    return rows
+    with closing(Database(clinic / "bodydrive.sqlite")) as database, database.transaction() as db:
+        return [(row.person, row.what) for row in db.query(LogEntry)]
 
 
 def test_both_forms_are_written_and_stand_in_the_log(bodydrive, clinic, tmp_path):
@@ -73,10 +71,8 @@ def test_bad_input_is_a_sentence(bodydrive, clinic, tmp_path, words, sentence):
 
 
 def test_without_consent_to_sharing_only_a_copy_for_the_patient_is_written(bodydrive, clinic, tmp_path):
-    database = Database(clinic / "bodydrive.sqlite")
-    with database.transaction() as db:
+    with closing(Database(clinic / "bodydrive.sqlite")) as database, database.transaction() as db:
         withdraw_consent(db, 1, "sharing", "Ana")
-    database.close()
     words = ("report", CODE, "--out", "all.html", "--state", "clinic")
     assert_refused(
         bodydrive(*words),

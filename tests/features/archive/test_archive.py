@@ -11,7 +11,7 @@ from pathlib import Path
 import pytest
 from clinic_rows import SIMULATED, rows_in
 from exported_clinic import CODE, MEASURES, RUN, make_clinic, material_of
-from features.archive.archive_clinics import archive_of, archived_clinic, bring, empty_clinic, rewrite, state_of
+from features.archive.archive_clinics import archive_of, bring, rewrite, state_of
 
 from app.clock import utc_now
 from app.csv_cells import SPREADSHEET_BEGIN
@@ -46,11 +46,6 @@ def archive(tmp_path_factory):
         add_scale(clinic.db, 1, "SCIM III", 41.5, utc_now().date())
         sign_off(clinic.db, clinic.db.get_one(PatientSession, 1), "Ana")
     return package, archive_of(settings, package), settings
-
-
-@pytest.fixture
-def other(tmp_path):
-    return empty_clinic(tmp_path / "other")
 
 
 def test_the_process_of_an_import_gives_the_patient_to_the_clinic_of_who_imports(archive, other, monkeypatch):
@@ -269,8 +264,7 @@ import_apart(state / "bodydrive.sqlite", 1, package, "Ben", state / "runs", stat
 LISTS = 20_000_000  # about 1.3 GB in memory, 100 kB in the file
 
 
-def test_an_archive_that_needs_too_much_memory_is_one_sentence_and_changes_nothing(tmp_path: Path) -> None:
-    package, other = archived_clinic(tmp_path / "first"), empty_clinic(tmp_path / "other")
+def test_an_archive_that_needs_too_much_memory_is_one_sentence_and_changes_nothing(package, other, tmp_path):
     rewrite(package, tmp_path / "bomb.zip", text=("12.5", f"[{'[],' * LISTS}1]"))
     before = state_of(other)
     assert "because it needs too much memory; nothing was imported." in problem_of(other.state, tmp_path / "bomb.zip")

@@ -11,7 +11,7 @@ import pytest
 from api.fake_clinic import sentence_of
 from api.people_of_clinic import accepted, invited
 from exported_clinic import CODE, RUN
-from features.archive.archive_clinics import archived_clinic, rewrite
+from features.archive.archive_clinics import rewrite
 
 from app.disk_room import ROOM_TO_RECORD
 from app.features.archive import routes
@@ -20,12 +20,6 @@ from app.recording.reader import read_run
 from app.store.files import room_for_files
 from app.store.files.disk_watch import DiskRoom
 from app.store.tables import Patient
-
-
-@pytest.fixture(scope="module")
-def package(tmp_path_factory: pytest.TempPathFactory) -> Path:
-    """Return the archive of a patient of another clinic."""
-    return archived_clinic(tmp_path_factory.mktemp("from"))
 
 
 def brought(clinic: Any, content: bytes | Path) -> Any:

@@ -13,14 +13,7 @@ from exported_clinic import make_clinic
 from features.archive.archive_clinics import archive_of, bring, empty_clinic, rewrite
 
 from app.features.archive.archive_file import LIST, REPORT, open_archive
-from app.features.archive.patient_rows import (
-    LEFT_OUT,
-    archived_tables,
-    exchanged,
-    not_archived,
-    patient_rows,
-    table_of,
-)
+from app.features.archive.patient_rows import LEFT_OUT, archived_tables, exchanged, not_archived, patient_rows, table_of
 from app.features.archive.service import make_archive
 from app.features.comments.service import add_comment, comment_history, comments_of, mark_read, revise_comment
 from app.features.comments.tables import MomentComment
@@ -69,10 +62,9 @@ def test_each_column_of_these_tables_is_in_the_archive_or_has_a_reason_why_not()
 
 
 def test_comments_come_along_with_author_moment_and_history(
-    open_clinic: Database, clinic: Settings, tmp_path: Path
+    open_clinic: Database, clinic: Settings, other: Settings, tmp_path: Path
 ) -> None:
     digest = archived(open_clinic, clinic, tmp_path / "heron.zip")
-    other = empty_clinic(tmp_path / "other")
     patient = bring(other, tmp_path / "heron.zip").patient_id
     with open_clinic.transaction() as db:
         (first,) = comments_of(db, patient_id=1)
@@ -122,7 +114,7 @@ def test_a_comment_without_author_or_with_hidden_signs_is_refused(
 
 
 def test_the_report_of_the_course_lies_in_the_archive_and_is_outside_its_hash(
-    open_clinic: Database, clinic: Settings, tmp_path: Path
+    open_clinic: Database, clinic: Settings, other: Settings, tmp_path: Path
 ) -> None:
     digest = archived(open_clinic, clinic, tmp_path / "heron.zip")
     assert archive_of(clinic, tmp_path / "plain.zip") == digest
@@ -132,7 +124,6 @@ def test_the_report_of_the_course_lies_in_the_archive_and_is_outside_its_hash(
     assert "<title>Course of 1 session, =P-1</title>" in report
     with open_archive(tmp_path / "heron.zip") as archive:
         assert archive.listed.hash == digest
-    other = empty_clinic(tmp_path / "other")
     bring(other, tmp_path / "heron.zip")
     assert list(other.state.rglob(REPORT)) == []
 

@@ -4,18 +4,10 @@ import random
 from contextlib import suppress
 from pathlib import Path
 
-import pytest
-from features.archive.archive_clinics import archived_clinic
-
 from app.features.archive.archive_file import open_archive
 from app.features.archive.archive_import import checked_rows
 
 FLIPS = 400
-
-
-@pytest.fixture(scope="module")
-def package(tmp_path_factory: pytest.TempPathFactory) -> Path:
-    return archived_clinic(tmp_path_factory.mktemp("from"))
 
 
 def read(file: Path, folder: Path) -> tuple[object, list[bytes]]:

@@ -56,9 +56,10 @@ def figures(settings: Settings, patient: int) -> list[Any]:
         ]
 
 
-def test_drives_and_their_recordings_come_along_and_go_on_with_the_same_hash(driven: Any, tmp_path: Path) -> None:
+def test_drives_and_their_recordings_come_along_and_go_on_with_the_same_hash(
+    driven: Any, other: Settings, tmp_path: Path
+) -> None:
     package, digest, first = driven
-    other = empty_clinic(tmp_path / "other")
     patient = bring(other, package).patient_id
     assert figures(other, patient) == figures(first, 1)
     assert [one[-1] for one in figures(other, patient)] == [12.5, None]
@@ -69,11 +70,10 @@ def test_drives_and_their_recordings_come_along_and_go_on_with_the_same_hash(dri
     assert figures(third, again) == figures(first, 1)
 
 
-def test_no_chair_comes_along(driven: Any, tmp_path: Path) -> None:
+def test_no_chair_comes_along(driven: Any, other: Settings) -> None:
     document = rows_of(driven[0])
     assert "chair_id" not in document["drive"][0]
     assert ADDRESS not in json.dumps(document)
-    other = empty_clinic(tmp_path / "other")
     bring(other, driven[0])
     with closing(Database(other.database)) as database, database.transaction() as db:
         clinic = db.get_one(Clinic, 1)
@@ -84,13 +84,12 @@ def test_no_chair_comes_along(driven: Any, tmp_path: Path) -> None:
         assert chair.key_id not in set(islice(free_key_ids(db, clinic), 20))
 
 
-def test_a_second_patient_with_drives_refers_to_the_same_chair(driven: Any, tmp_path: Path) -> None:
+def test_a_second_patient_with_drives_refers_to_the_same_chair(driven: Any, other: Settings) -> None:
     rows = rows_of(driven[0])
     rows["patient"][0]["code"] = "P-2"
     for table, column in (("run", "id"), ("trial", "run_id"), ("drive", "run_id")):
         for row in rows[table]:
             row[column] += "-2"
-    other = empty_clinic(tmp_path / "other")
     bring(other, driven[0])
     with closing(Database(other.database)) as database, database.transaction() as db:
         second = add_patient_rows(db, check_rows(rows))

@@ -77,16 +77,11 @@ def review_of(settings: Settings, patient: int) -> dict[str, Any]:
         place = {row["id"]: number for number, row in enumerate(learning["trials"])} | {None: None}
         for row in learning["trials"]:
             assert clinic("POST", "/replays", json={"trial": row["id"]}).status_code == 201
-    return {
-        "learning": without(learning, OWN_IDS),
-        "trials": without(trials, OWN_IDS | BETWEEN),
-        "lines": lines,
-        "verdicts": [
-            one
-            | {"earlier": place[one["earlier"]], "familiarisation": [place[trial] for trial in one["familiarisation"]]}
-            for one in verdicts
-        ],
-    }
+    for one in verdicts:
+        one["earlier"] = place[one["earlier"]]
+        one["familiarisation"] = [place[trial] for trial in one["familiarisation"]]
+    learnt = {"learning": without(learning, OWN_IDS), "trials": without(trials, OWN_IDS | BETWEEN)}
+    return {**learnt, "lines": lines, "verdicts": verdicts}
 
 
 def without(value: Any, names: set[str]) -> Any:
@@ -106,15 +101,10 @@ def test_learning_curve_and_replays_of_an_imported_patient_are_those_of_the_expo
     assert there["learning"]["curves"]
     words = {verdict["word"] for one in there["verdicts"] for verdict in one["verdicts"].values()}
     assert words > {"too few"}
-    assert here["learning"] == there["learning"]
-    assert here["trials"] == there["trials"]
-    assert here["verdicts"] == there["verdicts"]
-    assert here["lines"] == there["lines"]
+    assert here == there
     for run in (RUN, *map(run_of, range(2, 15))):
         mine, theirs = (read_trajectory(one.runs / run) for one in (importing, exporting))
-        assert all(
-            (mine_column == theirs_column).all() for mine_column, theirs_column in zip(mine, theirs, strict=True)
-        )
+        assert all((column == same).all() for column, same in zip(mine, theirs, strict=True))
     with rows_in(importing) as clinic:
         ids = {trial.id for trial in clinic.db.query(Trial).filter_by(patient_id=patient)}
     assert ids == set(range(2, 16))  # and yet not one id is the same row

@@ -7,7 +7,6 @@ from contextlib import closing
 from pathlib import Path
 
 import pytest
-from features.archive.archive_clinics import archived_clinic
 from store.keeping.filled_clinic import two_patients
 
 from app.features.archive.archive_import import import_archive
@@ -25,11 +24,6 @@ archive_import._add = lambda *_: os.kill(os.getpid(), signal.SIGKILL)
 state, package = map(Path, sys.argv[1:])
 archive_import.import_archive(Database(state / "bodydrive.sqlite"), package, "Ben", state / "runs")
 """
-
-
-@pytest.fixture(scope="module")
-def package(tmp_path_factory: pytest.TempPathFactory) -> Path:
-    return archived_clinic(tmp_path_factory.mktemp("from"))
 
 
 @pytest.fixture

@@ -2,7 +2,7 @@
 
 from clinic_rows import rows_in
 from exported_clinic import MEASURES, make_clinic
-from features.archive.archive_clinics import archive_of, bring, empty_clinic
+from features.archive.archive_clinics import archive_of, bring
 
 from app.store.learning_trials import counted_trials
 from app.store.parameters import as_document, current_parameters
@@ -21,8 +21,8 @@ def practised(db, patient):
     return count, None if last is None else last.hash
 
 
-def test_an_imported_trial_is_no_practice_before_a_real_chair_of_this_clinic(tmp_path):
-    first, other = make_clinic(tmp_path / "from"), empty_clinic(tmp_path / "other")
+def test_an_imported_trial_is_no_practice_before_a_real_chair_of_this_clinic(other, tmp_path):
+    first = make_clinic(tmp_path / "from")
     archive_of(first, tmp_path / "heron.zip")
     with rows_in(first) as there:
         assert practised(there.db, 1) == (1, current_hash(there.db, 1))

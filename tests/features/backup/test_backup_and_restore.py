@@ -92,11 +92,8 @@ def rows_of(file: Path) -> dict[str, str]:
 
 
 def log_of(settings: Settings) -> list[str]:
-    database = Database(settings.database)
-    with database.transaction() as db:
-        found = [row.what for row in db.query(LogEntry).order_by(LogEntry.id)]
-    database.close()
-    return found
+    with closing(Database(settings.database)) as database, database.transaction() as db:
+        return [row.what for row in db.query(LogEntry).order_by(LogEntry.id)]
 
 
 @pytest.mark.parametrize("secret", [None, SECRET], ids=["plain", "sealed"])

@@ -81,13 +81,11 @@ def test_a_folder_that_another_clinic_took_is_a_failed_backup(signed_in: Clinic,
 
 
 def test_a_folder_that_cannot_be_used_is_one_sentence(signed_in: Clinic, settings: Settings, tmp_path: Path) -> None:
-    foreign = tmp_path / "foreign"
-    foreign.mkdir()
-    neighbour = tmp_path / "neighbour"
-    neighbour.mkdir()
-    (neighbour / "bodydrive-backups.json").write_text('{"format": 2, "identity": null, "clinic": "another"}')
-    own = {"format": 2, "identity": "a key", "clinic": clinic_mark(settings)}
-    (foreign / "bodydrive-backups.json").write_text(json.dumps(own))
+    foreign, neighbour = tmp_path / "foreign", tmp_path / "neighbour"
+    for taken, identity, clinic in ((foreign, "a key", clinic_mark(settings)), (neighbour, None, "another")):
+        taken.mkdir()
+        mark = {"format": 2, "identity": identity, "clinic": clinic}
+        (taken / "bodydrive-backups.json").write_text(json.dumps(mark))
     for folder, words in (
         (tmp_path / "none", "is not there"),
         (Path("relative"), "whole path"),

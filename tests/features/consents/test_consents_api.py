@@ -24,9 +24,8 @@ def test_a_consent_is_entered_withdrawn_and_logged(calibrated: Clinic) -> None:
     rows = [(one.what, one.details["consent"]) for one in calibrated.log() if one.what.startswith("consent")]
     assert rows == [("consent given", "sharing"), ("consent withdrawn", "sharing")]
     assert calibrated("PUT", path, json={"given": "2999-01-01"}).status_code == 409
-    assert (
-        calibrated("PUT", f"/patients/{patient}/consents/everything", json={"given": "2026-03-01"}).status_code == 422
-    )
+    everything = path.replace("sharing", "everything")
+    assert calibrated("PUT", everything, json={"given": "2026-03-01"}).status_code == 422
 
 
 def test_a_worn_shirt_records_nothing_before_the_consent_and_practice_needs_none(

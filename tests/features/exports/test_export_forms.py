@@ -171,13 +171,8 @@ def test_xdf_is_read_by_pyxdf_with_the_numbers_and_times_of_the_recording(export
 
 def validator_errors(folder):
     """Return what the BIDS validator says of a data set: its exit code and the errors."""
-    found = subprocess.run(
-        [Path(sys.executable).parent / "bids-validator-deno", folder, "--json"],
-        capture_output=True,
-        text=True,
-        check=False,
-        timeout=120,
-    )
+    command = [Path(sys.executable).parent / "bids-validator-deno", folder, "--json"]
+    found = subprocess.run(command, capture_output=True, text=True, check=False, timeout=120)
     issues = json.loads(found.stdout)["issues"]["issues"]
     return found.returncode, [issue for issue in issues if issue.get("severity") == "error"]
 

@@ -42,8 +42,7 @@ def test_a_test_is_recorded_without_arming_shown_and_ended_by_hand(calibrated: A
     fields = calibrated.process.calls[-1][1]
     assert (fields["kind"], fields["test"]["seed"], fields["cues"]) == ("interface_test", 1, [])
     for path, body in (("/interface-tests", START), ("/calibration/steps/rest/start", None)):
-        refused = calibrated("POST", path, json=body)
-        assert refused.status_code == 409
+        assert calibrated("POST", path, json=body).status_code == 409
     assert "two-minute test is running" in calibrated("POST", "/interface-tests", json=START).json()["detail"]
 
     calibrated.process.run_t = 3.1
@@ -124,8 +123,7 @@ def test_a_running_test_is_not_asked_about_and_a_signed_session_stays_as_it_is(c
     calibrated.good("POST", "/interface-tests", json=START)
     assert calibrated("PUT", "/interface-tests/1/workload", json={"mental": 1}).status_code == 409
     session = calibrated.parts[SessionFlow].session_id
-    signing = calibrated("POST", f"/sessions/{session}/sign-off")
-    assert signing.status_code == 409
+    assert calibrated("POST", f"/sessions/{session}/sign-off").status_code == 409
     calibrated.good("POST", "/interface-tests/current/end")
     calibrated.good("POST", f"/sessions/{session}/sign-off")
     assert "signed off" in calibrated.refused(409, "PUT", "/interface-tests/1/workload", json={"mental": 1})

@@ -86,10 +86,8 @@ def test_a_revised_note_keeps_its_history(db: Session, session: PatientSession) 
     assert (found.text, found.person) == ("Tired after lunch.", "Ben")
     assert found.revised is not None
     assert found.revised >= found.written
-    assert [(each.text, each.person) for each in note_history(db, note)] == [
-        ("Tired.", "Ada"),
-        ("Tired after lunch.", "Ben"),
-    ]
+    history = [(each.text, each.person) for each in note_history(db, note)]
+    assert history == [("Tired.", "Ada"), ("Tired after lunch.", "Ben")]
 
 
 def test_a_note_or_scale_of_another_session_is_not_found(db: Session, session: PatientSession) -> None:
@@ -150,10 +148,8 @@ def test_a_sign_off_ends_an_open_session_and_stays_in_the_history(db: Session, s
     assert session_record(db, session.id).sign_off is None
     write_goal(db, session.id, "To the kitchen.")
     sign_off(db, session, "Ben")
-    assert [(row.person, row.unlocked_by, row.reason) for row in sign_off_history(db, session.id)] == [
-        ("Ada", "Owner", "a wrong scale"),
-        ("Ben", None, None),
-    ]
+    history = [(row.person, row.unlocked_by, row.reason) for row in sign_off_history(db, session.id)]
+    assert history == [("Ada", "Owner", "a wrong scale"), ("Ben", None, None)]
     assert start_session(db, session.patient_id).id != session.id
 
 

@@ -21,10 +21,8 @@ BODIES: dict[str, dict[str, Any]] = {  # what each route that changes something 
 }
 # What goes on after a sign-off: its unlocking, what people say about it, and who is shown it.
 AFTER_SIGN_OFF = {
-    "POST /sessions/{session_id}/unlock",
-    "POST /trials/{trial_id}/comments",
-    "POST /trials/{trial_id}/comments/read",
-    "POST /sessions/{session_id}/shares",
+    *("POST /sessions/{session_id}/unlock", "POST /sessions/{session_id}/shares"),
+    *("POST /trials/{trial_id}/comments", "POST /trials/{trial_id}/comments/read"),
 }
 
 
@@ -78,12 +76,8 @@ def test_what_is_not_a_goal_note_or_scale_is_refused_and_nothing_is_kept(
 def test_every_route_that_changes_something_of_a_session_refuses_a_signed_one(calibrated: Clinic) -> None:
     trial, session = calibrated.drive_trial()["id"], int(calibrated.session)
     found = write_record(calibrated, session)
-    values = {
-        "trial_id": trial,
-        "session_id": session,
-        "note_id": found["notes"][0]["id"],
-        "scale_id": found["scales"][0]["id"],
-    }
+    note, scale = found["notes"][0]["id"], found["scales"][0]["id"]
+    values = {"trial_id": trial, "session_id": session, "note_id": note, "scale_id": scale}
     signed = calibrated.good("POST", f"/sessions/{session}/sign-off")
     assert signed["ended"] is not None
     assert calibrated.session == "none"  # it ended with the sign-off

@@ -105,14 +105,5 @@ def with_words(report: Report, words: str) -> Report:
     """Return a report in which people wrote these words wherever they can."""
     remark = Remark(words, words)
     task = replace(report.tasks[0], title=words)
-    return replace(
-        report,
-        code=words,
-        clinic=words,
-        goals=(remark,),
-        other_goals=(remark,),
-        notes=(remark,),
-        comments=(remark,),
-        signed=words,
-        tasks=(task, *report.tasks[1:]),
-    )
+    named = replace(report, code=words, clinic=words, signed=words, tasks=(task, *report.tasks[1:]))
+    return replace(named, goals=(remark,), other_goals=(remark,), notes=(remark,), comments=(remark,))

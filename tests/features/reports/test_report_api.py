@@ -59,15 +59,11 @@ def test_a_report_is_in_the_language_of_the_request(reported: Any, monkeypatch: 
 def test_what_is_not_there_is_said_in_a_sentence(reported: Any) -> None:
     clinic, patient = reported
     before = len(clinic.log())
-    answer = clinic("GET", f"/patients/{patient}/report", params={"session": 3})
-    assert (answer.status_code, answer.json()["detail"]) == (
-        404,
-        "This patient has no session 3: choose one that was opened.",
-    )
+    said = clinic.refused(404, "GET", f"/patients/{patient}/report", params={"session": 3})
+    assert said == "This patient has no session 3: choose one that was opened."
     assert clinic("GET", "/patients/999/report").status_code == 404
-    assert clinic("GET", f"/patients/{patient}/report", params={"form": "docx"}).status_code == 422
-    assert clinic("GET", f"/patients/{patient}/report", params={"language": "xx"}).status_code == 422
-    assert clinic("GET", f"/patients/{patient}/report", params={"session": 0}).status_code == 422
+    for wrong in ({"form": "docx"}, {"language": "xx"}, {"session": 0}):
+        assert clinic("GET", f"/patients/{patient}/report", params=wrong).status_code == 422, wrong
     assert len(clinic.log()) == before
 
 
@@ -83,11 +79,9 @@ def test_without_consent_to_sharing_only_a_copy_for_the_patient_is_made(reported
     with clinic.database.transaction() as db:
         withdraw_consent(db, patient, "sharing", "Ana")
     before = len(clinic.log())
-    answer = clinic("GET", f"/patients/{patient}/report", params={"form": "html"})
-    assert (answer.status_code, answer.json()["detail"]) == (
-        409,
+    assert clinic.refused(409, "GET", f"/patients/{patient}/report", params={"form": "html"}) == (
         f"{CODE} has not consented to sharing outside the clinic: ask, and enter the date under "
-        "“Sessions and consents”. A copy for the patient needs no consent.",
+        "“Sessions and consents”. A copy for the patient needs no consent."
     )
     assert len(clinic.log()) == before
     copy = clinic("GET", f"/patients/{patient}/report", params={"form": "html", "for_patient": True})

@@ -38,12 +38,8 @@ def test_a_session_says_with_what_it_was_made_and_that_it_was_practice(reported,
 def test_a_measure_has_its_level_its_band_and_the_word_of_the_verdict(session_report, course_report):
     rows = {row.name: row for row in session_report.tasks[0].measures}
     assert list(rows) == ["Area off the path", "Distance driven", "Time", "Goal reached"]
-    assert {row.verdict for row in rows.values()} <= {
-        "better than noise",
-        "within noise",
-        "worse than noise",
-        "too few trials",
-    }
+    words = {"better than noise", "within noise", "worse than noise", "too few trials"}
+    assert {row.verdict for row in rows.values()} <= words
     area = {row.name: row for row in course_report.tasks[0].measures}["Area off the path"]
     assert (area.verdict, area.tone) == ("better than noise", "good")
     low, high = (float(part) for part in area.noise.removesuffix(" m²").split(" to "))

@@ -87,8 +87,7 @@ def test_a_course_shows_story_and_figures_by_code_and_every_opening_is_logged(co
         stored = db.get_one(ShareLink, row["id"])
         assert token_of(link) not in (stored.token_hash, stored.pin_hash)
         assert link["pin"] != stored.pin_hash
-        assert stored.openings == 1
-        assert stored.wrong_pins == 0
+        assert (stored.openings, stored.wrong_pins) == (1, 0)
 
 
 def test_an_opening_and_a_wrong_pin_are_told_to_open_pages_with_their_time(

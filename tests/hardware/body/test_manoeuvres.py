@@ -28,12 +28,8 @@ STAGES: list[dict[str, Any]] = [
     {**LINE, "points": [[0, 3], [0, 1.5]], "task": BACK["task"]},
 ]
 COURSE = {"points": [[0, 0], [2, 0]], "task": {"kind": "course", "stages": STAGES}}
-LEADER = {
-    "name": "anna",
-    "kind": "person",
-    "points": [[1.5, 0], [9, 0]],
-    "pace": [[0, 0.0], [2, 0.5], [8, 0.2], [14, 0.5]],
-}
+PACE = [[0, 0.0], [2, 0.5], [8, 0.2], [14, 0.5]]
+LEADER = {"name": "anna", "kind": "person", "points": [[1.5, 0], [9, 0]], "pace": PACE}
 
 
 def asked(**path):

@@ -1,6 +1,7 @@
-"""The link and its chair for each test."""
+"""The link and its chair, or a receiver and its sender, for each test."""
 
 import pytest
+from hardware.chair.commanded_receiver import CommandedReceiver
 from hardware.chair.link_and_chair import LinkAndChair
 
 
@@ -9,3 +10,8 @@ def pair(tmp_path):
     made = LinkAndChair(tmp_path)
     yield made
     made.close()
+
+
+@pytest.fixture
+def chair():
+    return CommandedReceiver()

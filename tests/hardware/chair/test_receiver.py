@@ -15,11 +15,6 @@ DISARMED, CHECKING, ARMED, FAULT = ReceiverState
 STANDS = (0.0, 0.0)
 
 
-@pytest.fixture
-def chair():
-    return CommandedReceiver()
-
-
 def test_ten_thousand_boots_send_nothing_but_zeros():
     for boot in range(10_000):
         chair = CommandedReceiver()

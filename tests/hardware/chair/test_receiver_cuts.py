@@ -64,8 +64,7 @@ def test_from_then_on_it_only_slows_and_stands_in_time(cut):
 
 
 @pytest.mark.parametrize("drift", [-0.01, 0.01])
-def test_an_hour_of_clocks_that_differ_by_a_hundredth(drift):
-    chair = CommandedReceiver()
+def test_an_hour_of_clocks_that_differ_by_a_hundredth(chair, drift):
     chair.arm()
     period = 0.09  # s: the rarest commands that do not count as silence
     for _ in range(int(3600 / period)):
@@ -85,9 +84,8 @@ def test_what_is_not_taken_for_late_leaves_no_trace():
     assert chair.send(0.5, 0.0, DRIVE)
 
 
-def test_commands_that_wander_by_less_than_a_tenth_of_a_second_are_driven():
+def test_commands_that_wander_by_less_than_a_tenth_of_a_second_are_driven(chair):
     rng = random.Random(5)
-    chair = CommandedReceiver()
     chair.arm()
     for _ in range(500):
         on_the_way = rng.uniform(0.0, 0.08)
@@ -120,8 +118,7 @@ def test_commands_that_were_kept_back_for_less_do_not_drive_either_until_they_ar
 
 
 @pytest.mark.parametrize("begin", random.Random(5).sample(range(1, 1_000_000), 40))
-def test_a_loop_that_looks_when_it_is_due_acts_at_once(begin):
-    chair = CommandedReceiver()
+def test_a_loop_that_looks_when_it_is_due_acts_at_once(chair, begin):
     chair.t = begin / 7
     assert chair.receiver.next_look(chair.t) == math.inf, "nobody drives"
     chair.step(0.0)

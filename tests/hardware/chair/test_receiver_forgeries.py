@@ -172,8 +172,7 @@ def test_every_bit_of_a_command_counts():
     assert chair.receiver.accept(frame, chair.t)
 
 
-def test_a_whole_drive_of_an_earlier_boot_moves_nothing(earlier):
-    chair = CommandedReceiver()
+def test_a_whole_drive_of_an_earlier_boot_moves_nothing(chair, earlier):
     for frame in earlier:
         assert not chair.receiver.accept(frame, chair.t)
         chair.wait(0.02)
@@ -181,8 +180,7 @@ def test_a_whole_drive_of_an_earlier_boot_moves_nothing(earlier):
     assert not any(v or omega for _, v, omega in chair.speeds)
 
 
-def test_drives_of_the_same_boot_move_nothing_when_they_are_sent_again():
-    chair = CommandedReceiver()
+def test_drives_of_the_same_boot_move_nothing_when_they_are_sent_again(chair):
     sent = []
     for _ in range(3):
         for speed in (*[0.0] * 30, *[0.4] * 10):

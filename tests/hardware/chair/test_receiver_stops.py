@@ -16,11 +16,6 @@ ARMED, DISARMED = ReceiverState.ARMED, ReceiverState.DISARMED
 STANDS = (0.0, 0.0)
 
 
-@pytest.fixture
-def chair():
-    return CommandedReceiver()
-
-
 def test_silence_slows_the_chair_after_100_ms_and_disarms_it_after_300(chair):
     chair.drive(0.75, 1.0)
     heard = chair.t - PERIOD

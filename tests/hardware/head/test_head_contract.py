@@ -16,6 +16,13 @@ def source(request, tmp_path):
     made.end()
 
 
+def opened_pose(source):
+    """Open a head tracker, and return the pose that comes."""
+    source.head.open()
+    source.let_come(*ANGLES)
+    return wait_for(source.head, lambda _: True)
+
+
 def test_nothing_is_known_before_it_is_open(source):
     assert source.head.newest() is None
 
@@ -31,10 +38,7 @@ def test_a_pose_comes_with_its_time_and_is_finite(source):
 
 @pytest.mark.parametrize("source", [made for made in HEADS if getattr(made, "exact", True)], indirect=True)
 def test_angles_are_left_up_and_to_the_right_positive(source):
-    source.head.open()
-    source.let_come(*ANGLES)
-    pose = wait_for(source.head, lambda _: True)
-    assert pose[1:4] == pytest.approx(ANGLES, abs=5e-4)
+    assert opened_pose(source)[1:4] == pytest.approx(ANGLES, abs=5e-4)
 
 
 def test_only_the_newest_is_kept_and_asking_does_not_make_it_newer(source):
@@ -50,22 +54,16 @@ def test_only_the_newest_is_kept_and_asking_does_not_make_it_newer(source):
 
 
 def test_closed_it_knows_nothing_it_can_be_closed_again_and_opened_again(source):
-    source.head.open()
-    source.let_come(*ANGLES)
-    wait_for(source.head, lambda _: True)
+    opened_pose(source)
     source.head.close()
     source.head.close()
     assert source.head.newest() is None
-    source.head.open()
-    source.let_come(*ANGLES)
-    assert wait_for(source.head, lambda _: True) is not None
+    assert opened_pose(source) is not None
 
 
 def test_words_are_a_sentence_and_tell_open_from_closed(source):
     closed = str(source.head.description())
-    source.head.open()
-    source.let_come(*ANGLES)
-    wait_for(source.head, lambda _: True)
+    opened_pose(source)
     running = str(source.head.description())
     assert closed != running
     assert closed.endswith(".")

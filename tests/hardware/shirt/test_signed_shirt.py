@@ -113,20 +113,17 @@ def forged(dice, paired, boot, seq):
     """Return a datagram that is not the shirt's next frame: (boot, seq) was taken last."""
     newer = paired.frame(boot, seq + dice.randint(1, 500))
     kind = dice.randrange(10)
-    if kind == 0:
-        return encode(seq + 1, 1.0, np.array(VALUES, np.float32))
-    if kind == 1:
-        return signed_frame(new_key(paired.key.id), boot + 1, seq + 1, 0, VALUES)
-    if kind == 2:
-        return signed_frame(Key(paired.key.id ^ 1, paired.key.secret), boot, seq + 1, 0, VALUES)
-    if kind == 3:
-        return paired.frame(boot, dice.randint(0, seq))
-    if kind == 4:
-        return paired.frame(dice.randint(0, boot - 1), dice.randint(0, 2**32 - 1))
-    if kind == 5:
-        return newer[: dice.randrange(len(newer))]
-    if kind == 6:
-        return newer + dice.randbytes(dice.randint(1, 40))
+    forgeries = (
+        lambda: encode(seq + 1, 1.0, np.array(VALUES, np.float32)),
+        lambda: signed_frame(new_key(paired.key.id), boot + 1, seq + 1, 0, VALUES),
+        lambda: signed_frame(Key(paired.key.id ^ 1, paired.key.secret), boot, seq + 1, 0, VALUES),
+        lambda: paired.frame(boot, dice.randint(0, seq)),
+        lambda: paired.frame(dice.randint(0, boot - 1), dice.randint(0, 2**32 - 1)),
+        lambda: newer[: dice.randrange(len(newer))],
+        lambda: newer + dice.randbytes(dice.randint(1, 40)),
+    )
+    if kind < len(forgeries):
+        return forgeries[kind]()
     changed = bytearray(newer)
     place = dice.randrange(len(changed) - 4)
     changed[place] ^= 1 << dice.randrange(8)
@@ -163,26 +160,23 @@ def test_a_frame_is_taken_once_also_by_a_process_that_comes_later(paired):
     paired.begin(4, 11)
 
 
-def test_another_address_with_the_key_waits_until_nothing_can_be_armed(tmp_path):
-    paired = PairedShirt(tmp_path / "keys", FakeClock(10.0))
-    paired.begin(1)
-    assert not paired.takes(1, 5, device=1)  # the shirt's own frame, sent on by somebody else
-    assert paired.takes(1, 5)  # which does not spoil the shirt's
-    assert not paired.takes(2, 0, device=1)
-    assert "frames of another sender" in str(paired.shirt.description())
-    paired.clock.time += SILENCE + 0.1
-    paired.begin(2, 0, device=1)
-    assert not paired.takes(1, 6)
-    assert paired.shirt.lost <= 4
-    paired.close()
-
-
 @pytest.fixture
 def begun(tmp_path):
     made = PairedShirt(tmp_path / "keys", FakeClock(10.0))
     made.begin(1)
     yield made
     made.close()
+
+
+def test_another_address_with_the_key_waits_until_nothing_can_be_armed(begun):
+    assert not begun.takes(1, 5, device=1)  # the shirt's own frame, sent on by somebody else
+    assert begun.takes(1, 5)  # which does not spoil the shirt's
+    assert not begun.takes(2, 0, device=1)
+    assert "frames of another sender" in str(begun.shirt.description())
+    begun.clock.time += SILENCE + 0.1
+    begun.begin(2, 0, device=1)
+    assert not begun.takes(1, 6)
+    assert begun.shirt.lost <= 4
 
 
 def test_genuine_frames_that_are_kept_back_are_none(begun):

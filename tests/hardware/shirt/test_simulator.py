@@ -117,13 +117,8 @@ def test_a_dead_channel_that_is_not_there_is_one_sentence():
 
 
 def test_a_shirt_for_other_joints_is_another_document():
-    layout = ShirtLayout.model_validate(
-        {
-            "name": "hat",
-            "channels": [{"name": "a", "joint": "head"}, {"name": "b", "joint": "head"}],
-            "joints": [{"name": "head", "label": "Head"}],
-        }
-    )
-    shirt = open_shirt(FakeClock(), layout=layout)
+    channels = [{"name": name, "joint": "head"} for name in "ab"]
+    hat = {"name": "hat", "channels": channels, "joints": [{"name": "head", "label": "Head"}]}
+    shirt = open_shirt(FakeClock(), layout=ShirtLayout.model_validate(hat))
     assert shirt.joints == ("head",)
     assert read(shirt, 3).shape == (3, 2)
