@@ -34,7 +34,7 @@ def until(true: Callable[[], Any], patience: float = 60.0) -> Any:
     end = time.monotonic() + patience
     while not (found := true()):
         assert time.monotonic() < end
-        time.sleep(0.05)
+        time.sleep(0.005)
     return found
 
 

@@ -102,23 +102,11 @@ class FakeProcess:
                 raise LinkRefused("There was another stop meanwhile.")
             self.state, self.fault = (State.ARMED if self.run else State.DISARMED), Fault.NONE
         if do == "status":
-            return {
-                "shirt": {
-                    "kind": "simulator",
-                    "words": self.shirt_words,
-                    "alive": self.sends,
-                    "silent": not self.sends,
-                    "sample_rate": 100.0,
-                    "lost": 0,
-                    "senders": self.senders,
-                },
-                "realtime": ["No real-time scheduling."],
-                "late": 0,
-                "recording": None,
-                "hash": None,
-                "chair": {"kind": self.chair, "words": f"A {self.chair} chair.", "switch_seen": self.switch_seen},
-                "dial": self.dial,
-            }
+            frames: dict[str, Any] = {"alive": self.sends, "silent": not self.sends, "sample_rate": 100.0, "lost": 0}
+            shirt = {"kind": "simulator", "words": self.shirt_words, **frames, "senders": self.senders}
+            chair = {"kind": self.chair, "words": f"A {self.chair} chair.", "switch_seen": self.switch_seen}
+            loop = {"realtime": ["No real-time scheduling."], "late": 0, "recording": None, "hash": None}
+            return {"shirt": shirt, "chair": chair, "dial": self.dial, **loop}
         return {}
 
     def _disarm(self) -> None:

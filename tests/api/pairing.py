@@ -23,8 +23,9 @@ def pair(clinic: Clinic, code: str) -> Any:
     return clinic("POST", "/patient-screen/pair", json={"code": code})
 
 
-def closing(socket: Any) -> int:
-    for _ in range(1000):
+def closing(socket: Any, most: int = 1000) -> int:
+    """Return the code with which a socket is closed, after fewer than so many messages."""
+    for _ in range(most):
         try:
             socket.receive_json()
         except WebSocketDisconnect as closed:

@@ -1,24 +1,11 @@
 """People of a real clinic for a test: an owner, and others who were invited, each with cookies of their own."""
 
-from collections.abc import Iterator
-from contextlib import contextmanager
 from typing import Any
 
 from api.fake_clinic import Clinic
 
 OWNER = {"code": "set-up-code", "name": "Ada", "password": "correct horse battery"}
 PASSWORD = "a quiet blue heron"
-
-
-@contextmanager
-def as_person(clinic: Clinic, cookies: dict[str, str]) -> Iterator[Clinic]:
-    """Use the browser of another person, and put back the cookies of before."""
-    before = dict(clinic.client.cookies)
-    clinic.client.cookies.clear()
-    clinic.client.cookies.update(cookies)
-    yield clinic
-    clinic.client.cookies.clear()
-    clinic.client.cookies.update(before)
 
 
 def code_of(link: Any) -> str:
@@ -32,6 +19,6 @@ def invited(clinic: Clinic, name: str, role: str, patients: list[int] | None = N
 
 def accepted(clinic: Clinic, link: Any, password: str = PASSWORD) -> dict[str, str]:
     """Open a link in a browser of its own and choose a password; return the cookies of that browser."""
-    with as_person(clinic, {}):
+    with clinic.as_person({}):
         clinic.good("POST", "/auth/invitation/accept", json={"code": code_of(link), "password": password})
         return dict(clinic.client.cookies)

@@ -7,33 +7,20 @@ from typing import Any, NamedTuple
 from api.fake_clinic import Clinic
 
 IDS = {  # names of whole numbers that are ids, and of which table
-    "patient_id": "patient",
-    "patient": "patient",
-    "trial_id": "trial",
+    **dict.fromkeys(("patient_id", "patient", "patients"), "patient"),
+    **dict.fromkeys(("trial_id", "trial", "against"), "trial"),
+    **dict.fromkeys(("session_id", "other"), "session"),
+    **dict.fromkeys(("note_id", "scale_id"), "session"),  # they are those of the session that the path names
+    **dict.fromkeys(("chair_id", "PUT /chairs/chosen id"), "chair"),
     "test_id": "interface_test",
-    "trial": "trial",
-    "against": "trial",
-    "chair_id": "chair",
     "screen_id": "patient_screen",
     "person_id": "person",
     "incident_id": "incident",
-    "patients": "patient",
-    "session_id": "session",
-    "note_id": "session",  # a note and a scale are those of the session that the path names
-    "scale_id": "session",
     "comment_id": "moment_comment",
     "share_id": "share_link",
-    "other": "session",
-    "PUT /chairs/chosen id": "chair",
 }
-FILLED = {
-    "other": "1",
-    "form": "csv",
-    "reason": "by hand",
-    "dynamics": "unicycle",
-    "floorplan": "apartment",
-    "path": "main",
-}
+FILLED = {"other": "1", "form": "csv", "reason": "by hand", "dynamics": "unicycle"}
+FILLED |= {"floorplan": "apartment", "path": "main"}
 LISTS = {"patients"}
 OWN_PERSON = 1  # the person who asks, where a path needs an id besides the one that is tried
 BODIES: dict[str, dict[str, Any]] = {  # what has to be sent along with an id

@@ -13,14 +13,8 @@ from app.api.deps import anyone_signed_in, clinician, everyone, exporter, owner,
 
 RIGHTS = {everyone: 0, anyone_signed_in: 1, viewer: 1, clinician: 2, exporter: 2, owner: 3}
 CHANGING = {"POST", "PUT", "PATCH", "DELETE"}  # methods of routes that may change something
-PLACEHOLDERS = {  # those that are no id
-    "name": "nowhere",
-    "step": "rest",
-    "consent": "sharing",
-    "word": "no-such-word",
-    "kind": "floorplan",
-    "identity": "20260101T000000Z--nowhere",
-}
+PLACEHOLDERS = {"name": "nowhere", "step": "rest", "consent": "sharing", "word": "no-such-word"}  # those that are no id
+PLACEHOLDERS |= {"kind": "floorplan", "identity": "20260101T000000Z--nowhere"}
 
 
 def asked(dependant: Dependant) -> Iterator[Any]:

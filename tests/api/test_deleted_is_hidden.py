@@ -4,7 +4,7 @@ import json
 import re
 
 import pytest
-from api.fake_clinic import Clinic
+from api.fake_clinic import Clinic, sentence_of
 from api.routes_with_ids import MISSING, places
 from api.served_routes import requested, routes_of
 from api.test_shown_patients import HIDDEN, reviewed
@@ -23,9 +23,10 @@ NAMES = re.compile(f"{HIDDEN}|Zebra")
 SHOWS_DELETED = {"GET /backups"}
 
 
-def records_of(clinic: Clinic, trial: int) -> dict[str, int]:
+def records_of(clinic: Clinic) -> dict[str, int]:
     """Make a record of each kind for the patient who is here; return their ids by the names that routes give them."""
     patient, session = clinic.patient["id"], int(clinic.session)
+    trial = clinic.good("GET", "/trials", params={"patient": patient})[0]["id"]
     with clinic.rows() as rows:
         rows.consent(patient, "sharing")
         found = {
@@ -44,8 +45,7 @@ def records_of(clinic: Clinic, trial: int) -> dict[str, int]:
 @pytest.fixture
 def deleted(reviewed: Clinic) -> Clinic:
     clinic = reviewed
-    clinic.trial = clinic.good("GET", "/trials", params={"patient": clinic.patient["id"]})[0]["id"]  # type: ignore[attr-defined]
-    clinic.ids = records_of(clinic, clinic.trial)  # type: ignore[attr-defined]
+    clinic.ids = records_of(clinic)  # type: ignore[attr-defined]
     clinic.good("DELETE", "/session")
     assert HIDDEN in json.dumps(clinic.good("GET", "/patients"))
     clinic.good("DELETE", f"/patients/{clinic.patient['id']}")
@@ -76,12 +76,12 @@ def test_no_answer_names_a_deleted_patient(deleted: Clinic) -> None:
     assert {name for name, text in answers.items() if HIDDEN in text or "Zebra" in text} == SHOWS_DELETED
     deleted.good("POST", f"/patients/{deleted.patient['id']}/restore")
     assert HIDDEN in requested(deleted, "GET /patients").text
-    assert deleted.good("GET", f"/trials/{deleted.trial}")["id"] == deleted.trial  # type: ignore[attr-defined]
+    trial = deleted.ids["trial_id"]  # type: ignore[attr-defined]
+    assert deleted.good("GET", f"/trials/{trial}")["id"] == trial
 
 
 def test_a_share_link_of_a_deleted_patient_opens_nothing_also_where_it_is_open(reviewed: Clinic) -> None:
-    trial = reviewed.good("GET", "/trials", params={"patient": reviewed.patient["id"]})[0]["id"]
-    records_of(reviewed, trial)
+    records_of(reviewed)
     link = reviewed.link  # type: ignore[attr-defined]
     token = {"token": link["url"].partition("#")[2], "pin": link["pin"]}
     with reviewed.as_person({}):
@@ -93,24 +93,22 @@ def test_a_share_link_of_a_deleted_patient_opens_nothing_also_where_it_is_open(r
     for cookies in ({}, visit):
         with reviewed.as_person(cookies):
             for refused in (reviewed("GET", "/shared"), reviewed("POST", "/shared/open", json=token)):
-                assert refused.status_code == 401
-                assert refused.json()["detail"].endswith(".")
+                sentence_of(refused, 401)
                 assert not NAMES.search(refused.text)
 
 
 def test_a_record_that_was_removed_alone_is_gone_or_says_that_it_was_withdrawn(reviewed: Clinic) -> None:
-    trial = reviewed.good("GET", "/trials", params={"patient": reviewed.patient["id"]})[0]["id"]
-    ids = records_of(reviewed, trial)
-    session = reviewed.session
-    reviewed.good("DELETE", f"/sessions/{session}/scales/{ids['scale_id']}")
-    reviewed.good("DELETE", f"/shares/{ids['share_id']}")
-    reviewed.good("DELETE", f"/comments/{ids['comment_id']}")
+    ids = records_of(reviewed)
+    scale = f"/sessions/{reviewed.session}/scales/{ids['scale_id']}"
+    link, comment = f"/shares/{ids['share_id']}", f"/comments/{ids['comment_id']}"
+    for path in (scale, link, comment):
+        reviewed.good("DELETE", path)
     # A scale is gone; a comment keeps its history, and a link its openings.
     for method, path, body, status, words in (
-        ("DELETE", f"/sessions/{session}/scales/{ids['scale_id']}", None, 404, "There is no scale"),
-        ("PUT", f"/comments/{ids['comment_id']}", {"text": "Once more."}, 409, "This comment was withdrawn"),
-        ("DELETE", f"/comments/{ids['comment_id']}", None, 409, "This comment was withdrawn"),
-        ("DELETE", f"/shares/{ids['share_id']}", None, 409, "This link was revoked already."),
+        ("DELETE", scale, None, 404, "There is no scale"),
+        ("PUT", comment, {"text": "Once more."}, 409, "This comment was withdrawn"),
+        ("DELETE", comment, None, 409, "This comment was withdrawn"),
+        ("DELETE", link, None, 409, "This link was revoked already."),
     ):
         refused = reviewed(method, path, json=body)
         assert (refused.status_code, refused.json()["detail"].startswith(words)) == (status, True), refused.text

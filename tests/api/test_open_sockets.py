@@ -59,13 +59,8 @@ class Page:
     """A page's open websocket with a cookie; what it takes is written down."""
 
     def __init__(self, cookie, takes=True):
-        self.cookies, self.code, self.is_asked, self.is_cut_off, self._takes = (
-            {COOKIE: cookie},
-            None,
-            False,
-            False,
-            takes,
-        )
+        self.cookies, self._takes = {COOKIE: cookie}, takes
+        self.code, self.is_asked, self.is_cut_off = None, False, False
         self.scope = {"scheme": "http", "state": {CUT_OFF: self.cut_off}}
 
     def cut_off(self):

@@ -26,8 +26,11 @@ NUMBERS = {  # whole numbers that are no ids
 }
 
 
+Ids = dict[str, int]
+
+
 @pytest.fixture
-def theirs(signed_in: Clinic) -> dict[str, int]:
+def theirs(signed_in: Clinic) -> Ids:
     """Return the ids of what another clinic has in the same database, by table."""
     with signed_in.rows() as rows:
         db = rows.db
@@ -41,17 +44,12 @@ def theirs(signed_in: Clinic) -> dict[str, int]:
             comment = add_comment(db, trial, person.id, 1.0, "Theirs.")
             rows.consent(session.patient_id, "sharing")
             link, _ = add_share(db, session.patient_id, None, "hash", 14, "Eve")
-            return {
-                "person": person.id,
-                "patient": session.patient_id,
-                "trial": trial.id,
-                "interface_test": test.id,
-                "session": session.id,
+            ids = {"person": person.id, "patient": session.patient_id, "session": session.id, "trial": trial.id}
+            ids |= {"interface_test": test.id, "moment_comment": comment.id, "share_link": link.id}
+            return ids | {
                 "chair": rows.chair().id,
                 "patient_screen": db.query(tables.PatientScreen).one().id,
                 "incident": mark_incident(db, utc_now(), "0" * 64, [session.patient_id], None).id,
-                "moment_comment": comment.id,
-                "share_link": link.id,
             }
 
 
@@ -63,9 +61,7 @@ def test_every_whole_number_of_every_route_is_known_as_an_id_or_as_none(signed_i
     assert not [place for place in unknown if place.is_in_path]  # an id in a path is an id whatever it is called
 
 
-def test_another_clinics_ids_do_not_exist_here_and_asking_for_one_is_noted(
-    signed_in: Clinic, theirs: dict[str, int]
-) -> None:
+def test_another_clinics_ids_do_not_exist_here_and_asking_for_one_is_noted(signed_in: Clinic, theirs: Ids) -> None:
     asked = []
     for place in places(signed_in.good("GET", "/openapi.json")):
         if place.table is None:
@@ -83,10 +79,9 @@ def test_another_clinics_ids_do_not_exist_here_and_asking_for_one_is_noted(
     assert len(asked) >= 15
 
 
-def test_no_query_finds_what_is_of_another_clinic(signed_in: Clinic, theirs: dict[str, int]) -> None:
-    kinds: list[Any] = [
-        mapper.class_ for mapper in tables.Table.registry.mappers if "clinic_id" in mapper.local_table.columns
-    ]
+def test_no_query_finds_what_is_of_another_clinic(signed_in: Clinic, theirs: Ids) -> None:
+    mappers = tables.Table.registry.mappers
+    kinds: list[Any] = [mapper.class_ for mapper in mappers if "clinic_id" in mapper.local_table.columns]
     with signed_in.database.reading() as db:
         both = {kind.__tablename__ for kind in kinds if any(row.clinic_id != 1 for row in db.query(kind))}
     assert both >= {"person", "patient", "session", "trial", "chair", "share_link", "moment_comment", "incident"}
@@ -95,9 +90,7 @@ def test_no_query_finds_what_is_of_another_clinic(signed_in: Clinic, theirs: dic
         assert db.get(tables.Patient, theirs["patient"]) is None
 
 
-def test_a_full_disk_does_not_tell_that_it_exists(
-    signed_in: Clinic, theirs: dict[str, int], monkeypatch: pytest.MonkeyPatch
-) -> None:
+def test_a_full_disk_does_not_tell_it_exists(signed_in: Clinic, theirs: Ids, monkeypatch: pytest.MonkeyPatch) -> None:
     def full(*_given: Any, **_more: Any) -> None:
         raise DiskFull("The disk is full.")
 

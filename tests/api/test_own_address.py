@@ -9,11 +9,13 @@ from app.network import CertificateTrust, NetworkService
 from app.settings import Settings
 
 NOW = dt.datetime(2026, 5, 1, tzinfo=dt.UTC)
+OWN = "https://d.clinic.example/"  # the clinic's own name, at the usual port
 
 
-def network(
-    *addresses: str, names: tuple[str, ...] = ("pc", "pc.local", "localhost"), port: int = 8443
-) -> NetworkService:
+NAMES = ("pc", "pc.local", "localhost")
+
+
+def network(*addresses: str, names: tuple[str, ...] = NAMES, port: int = 8443) -> NetworkService:
     return NetworkService(port, 8081, CertificateTrust(names, addresses, NOW, NOW, "00", b"root"))
 
 
@@ -27,12 +29,7 @@ def network(
         ("http://localhost:8080", network("fd00::7"), "https://[fd00::7]:8443/", False),
         ("https://pc.local:8443", network("10.1.2.3"), "https://pc.local:8443/", False),
         ("https://127.0.0.1:8443", network("10.1.2.3"), "https://10.1.2.3:8443/", False),
-        (
-            "http://127.0.0.1:8080",
-            network(names=("*.clinic.example", "d.clinic.example"), port=443),
-            "https://d.clinic.example/",
-            False,
-        ),
+        ("http://127.0.0.1:8080", network(names=("*.clinic.example", "d.clinic.example"), port=443), OWN, False),
         ("http://127.0.0.1:8080", network("127.0.0.1"), "https://127.0.0.1:8443/", True),
     ],
 )

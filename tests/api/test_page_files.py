@@ -8,6 +8,7 @@ from typing import Any
 import pytest
 from starlette.applications import Starlette
 from starlette.datastructures import Headers
+from starlette.middleware import Middleware
 from starlette.testclient import TestClient
 from starlette.types import ASGIApp, Receive, Scope, Send
 
@@ -51,11 +52,16 @@ def pages(tmp_path: Path) -> Pages:
     return Pages(put(tmp_path))
 
 
+def browser_of(pages: Pages, *middleware: Any) -> TestClient:
+    """Return a browser of an application that has nothing but these pages."""
+    app = Starlette(middleware=[Middleware(each) for each in middleware])
+    app.mount("/", pages)
+    return TestClient(app)
+
+
 @pytest.fixture
 def client(pages: Pages) -> Any:
-    app = Starlette()
-    app.mount("/", pages)
-    with TestClient(app) as client:
+    with browser_of(pages) as client:
         yield client
 
 
@@ -120,15 +126,12 @@ def test_what_is_no_file_of_the_pages_is_not_there(client: Any, path: str) -> No
 
 
 def test_a_file_is_only_read(client: Any) -> None:
-    assert client.head("/css/one.css").status_code == 200
-    assert client.post("/css/one.css").status_code == 405
+    assert (client.head("/css/one.css").status_code, client.post("/css/one.css").status_code) == (200, 405)
 
 
 def test_a_script_of_others_is_served_as_a_file_of_the_pages(tmp_path: Path) -> None:
     pages = Pages(put(tmp_path, **{"vendor/charts.js": "draw()", "vendor/charts-LICENSE.txt": "MIT"}))
-    app = Starlette()
-    app.mount("/", pages)
-    with TestClient(app) as client:
+    with browser_of(pages) as client:
         for _ in range(2):
             answer = client.get(f"/v-{pages.version}-en/vendor/charts.js")
             assert (answer.status_code, answer.text) == (200, "draw()")
@@ -137,10 +140,7 @@ def test_a_script_of_others_is_served_as_a_file_of_the_pages(tmp_path: Path) -> 
 
 
 def test_every_module_that_a_page_imports_is_preloaded_and_there() -> None:
-    pages = Pages(static_folder())
-    app = Starlette()
-    app.mount("/", pages)
-    with TestClient(app) as client:
+    with browser_of(Pages(static_folder())) as client:
         for entry in ("index", "patient", "stereo"):
             links = re.findall(r'(?:href|src)="([^"]+)"', client.get(f"/{entry}.html").text)
             assert len(links) > 20
@@ -181,10 +181,7 @@ class Cookies:
 def translated(tmp_path: Path) -> Any:
     """Return the pages in two languages, and a client."""
     pages = Pages(put(tmp_path, **MESSAGES), LANGUAGES)
-    app = Starlette()
-    app.mount("/", pages)
-    app.add_middleware(Cookies)
-    with TestClient(app) as client:
+    with browser_of(pages, Cookies) as client:
         yield pages, client
 
 
@@ -208,13 +205,11 @@ def test_the_modules_of_a_language_have_its_messages_without_comments_and_its_na
 def test_an_entry_is_in_the_language_of_the_request_and_so_is_all_that_it_loads(translated: Any) -> None:
     pages, client = translated
     english, spanish = client.get("/"), client.get("/", headers=IN_SPANISH)
-    assert '<html lang="en">' in english.text
-    assert "<p>One &lt;moment&gt;</p>" in english.text
-    assert '<html lang="es">' in spanish.text
-    assert "<p>Un momento</p>" in spanish.text
-    assert english.text.count("/v-") == english.text.count(f'"/v-{pages.version}-en/') > 5
-    assert spanish.text.count("/v-") == spanish.text.count(f'"/v-{pages.version}-es/') > 5
-    assert {answer.headers["vary"] for answer in (english, spanish)} == {"Accept-Encoding, Accept-Language, Cookie"}
+    for answer, language, words in ((english, "en", "One &lt;moment&gt;"), (spanish, "es", "Un momento")):
+        assert f'<html lang="{language}">' in answer.text
+        assert f"<p>{words}</p>" in answer.text
+        assert answer.text.count("/v-") == answer.text.count(f'"/v-{pages.version}-{language}/') > 5
+        assert answer.headers["vary"] == "Accept-Encoding, Accept-Language, Cookie"
     known = {"If-None-Match": english.headers["etag"]}
     assert client.get("/", headers=known).status_code == 304
     assert client.get("/", headers=known | IN_SPANISH).status_code == 200

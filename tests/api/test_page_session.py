@@ -56,10 +56,8 @@ def test_every_changing_route_refuses_another_session_and_none_or_is_marked_with
             if answer.status_code == 401:  # some routes end the sign-in
                 in_session.client.cookies.update(in_session.cookies_of(name))
                 answer = asked(in_session, route, named)
-            refused[named] = (
-                (answer.status_code == 409 and OTHER in answer.text),
-                (answer.status_code == 422 and UNNAMED in answer.text),
-            )
+            says = {409: OTHER, 422: UNNAMED}
+            refused[named] = tuple(answer.status_code == code and word in answer.text for code, word in says.items())
         stale = [refused[name] == (True, False) for name in (before, "none", "999999")]
         nameless = [refused[name] == (False, True) for name in (None, "B-12", "0", "-1")]
         expected = route not in reasons
@@ -72,15 +70,14 @@ def test_every_changing_route_refuses_another_session_and_none_or_is_marked_with
 def test_the_refusal_says_who_is_open_who_opened_it_when_and_whose_page_this_is(in_session: Any) -> None:
     before = second_patient(in_session)
     session = in_session.good("GET", "/session")["session"]
-    sentence = in_session.refused(
-        409, "PUT", "/adaptation", json={"mode": "suggest"}, headers={"Patient-Session": before}
-    )
+    stale = {"headers": {"Patient-Session": before}}
+    sentence = in_session.refused(409, "PUT", "/adaptation", json={"mode": "suggest"}, **stale)
     assert sentence.startswith(f"B-12 was opened on another screen by {session['opened_by']} at ")
     assert "What this page shows belongs to P-1 and can no longer be sent" in sentence
     assert in_session.good("GET", "/adaptation")["mode"] == "off"
     in_session.good("DELETE", "/session")
-    ended = in_session("POST", "/adaptation/propose", headers={"Patient-Session": before})
-    assert "was ended on another screen, and no session is open now" in ended.json()["detail"]
+    ended = in_session("POST", "/adaptation/propose", **stale).json()["detail"]
+    assert "was ended on another screen, and no session is open now" in ended
 
 
 def test_a_change_that_waited_while_the_session_changed_does_nothing(in_session: Any) -> None:

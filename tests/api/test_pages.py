@@ -18,8 +18,7 @@ def test_nothing_is_fetched_from_elsewhere(clinic: Any) -> None:
 
 def test_patients_are_kept_by_no_cache(signed_in: Any) -> None:
     headers = signed_in("GET", "/patients").headers
-    assert headers["cache-control"] == "no-store"
-    assert headers["x-content-type-options"] == "nosniff"
+    assert (headers["cache-control"], headers["x-content-type-options"]) == ("no-store", "nosniff")
 
 
 def test_an_address_that_is_nothing_is_said_so(signed_in: Any) -> None:
@@ -51,13 +50,11 @@ def upload(clinic: Any, name: str, content: bytes) -> Any:
 
 def test_files_are_taken_in_by_type_and_content(signed_in: Any) -> None:
     assert upload(signed_in, "run.exe", b"t,a\n0,1\n").status_code == 415
-    assert upload(signed_in, "run.csv", b"").status_code == 422
-    assert upload(signed_in, "run.csv", b"time,a\n0,1\n").status_code == 422
-    assert upload(signed_in, "run.parquet", b"PAR1 nothing PAR1").status_code == 422
+    for name, content in (("run.csv", b""), ("run.csv", b"time,a\n0,1\n"), ("run.parquet", b"PAR1 nothing PAR1")):
+        assert upload(signed_in, name, content).status_code == 422
     assert signed_in.good("GET", "/equipment")["files"] == []
     assert upload(signed_in, "../walk.csv", b"t,a,b\n0,1,2\n").status_code == 201
-    body = b"t,left_elbow_x,left_elbow_y,left_elbow_z\n0,1,2,3\n"
-    assert upload(signed_in, "body.csv", body).status_code == 201
+    assert upload(signed_in, "body.csv", b"t,left_elbow_x,left_elbow_y,left_elbow_z\n0,1,2,3\n").status_code == 201
     files = {file["name"]: file["kind"] for file in signed_in.good("GET", "/equipment")["files"]}
     assert files == {"walk.csv": "signals", "body.csv": "body"}
 
@@ -84,6 +81,6 @@ def test_the_shirt_is_chosen_by_what_is_here(signed_in: Any) -> None:
     assert sent["config"]["file"].endswith("/files/walk.csv")
     assert signed_in("PUT", "/equipment/body", json={"kind": "visitor"}).status_code == 409
     assert signed_in("PUT", "/equipment/shirt", json={"kind": "telepathy"}).status_code == 422
-    unused = signed_in.good("PUT", "/equipment/unused", json={"channels": ["left_elbow_1"]})
-    assert unused["unused"] == ["left_elbow_1"]
+    channels = ["left_elbow_1"]
+    assert signed_in.good("PUT", "/equipment/unused", json={"channels": channels})["unused"] == channels
     assert signed_in("PUT", "/equipment/unused", json={"channels": ["no_such"]}).status_code == 404

@@ -18,14 +18,8 @@ def three_languages(monkeypatch):
 
 def request(query="", **headers):
     sent = [(name.replace("_", "-").encode(), value.encode("latin-1")) for name, value in headers.items()]
-    return {
-        "type": "http",
-        "scheme": "http",
-        "method": "GET",
-        "path": "/",
-        "query_string": query.encode(),
-        "headers": sent,
-    }
+    asked = {"type": "http", "scheme": "http", "method": "GET", "path": "/"}
+    return asked | {"query_string": query.encode(), "headers": sent}
 
 
 @pytest.mark.parametrize(

@@ -7,7 +7,7 @@ from contextlib import ExitStack
 from typing import Any
 
 import pytest
-from api.fake_clinic import BASE, Clinic
+from api.fake_clinic import BASE, Clinic, next_message
 from api.routes_with_ids import MISSING, places
 from api.served_routes import requested, routes_of
 from api.test_roles import FOR_REVIEWERS
@@ -112,10 +112,7 @@ def test_a_session_of_a_shown_patient_appears_at_once(reviewed: Clinic) -> None:
             socket = stack.enter_context(reviewed.socket("/live"))
             assert socket.receive_json()["hidden"] is True
         reviewed.open_session(reviewed.shown)  # type: ignore[attr-defined]
-        for _ in range(100):
-            picture = socket.receive_json()
-            if not picture["hidden"]:
-                break
+        picture = next_message(socket, lambda m: not m["hidden"], most=100)
     assert picture["session"] == reviewed.good("GET", "/session")["session"]["id"]
 
 
@@ -149,18 +146,14 @@ def test_what_is_of_a_patient_is_left_out_of_every_query(reviewed: Clinic) -> No
     finally:
         VISIBLE_PATIENTS.reset(token)
     reaching = {"patient"}
-    while True:
-        more = {
-            table.name
-            for table in Table.metadata.tables.values()
-            for key in table.foreign_keys
-            if key.column.table.name in reaching and not key.parent.nullable
-        } - reaching
-        if not more:
-            break
+    while more := {
+        table.name
+        for table in Table.metadata.tables.values()
+        for key in table.foreign_keys
+        if key.column.table.name in reaching and not key.parent.nullable and table.name not in reaching
+    }:
         reaching |= more
     assert reaching >= of_patients
     assert {kind.__tablename__ for kind in before if after[kind] != 0 and kind.__tablename__ in reaching} == set()
     assert all(after[kind] == before[kind] for kind in before if kind.__tablename__ not in reaching)
-    assert before[Run] > 0
-    assert before[Trial] > 0
+    assert min(before[Run], before[Trial]) > 0

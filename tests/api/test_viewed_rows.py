@@ -16,9 +16,7 @@ from app.store.log import LISTED, VIEWED
 # Rows that name the patient, the session or the trial; routes that say nothing of the patient.
 ROWS = {VIEWED, "session viewed", "trial viewed", "export", "report exported"}
 LISTS = {LISTED, "patients viewed by attention"}  # rows of all patients
-SILENT = {
-    "/patients/{patient_id}/archive/room"  # how large the recordings are
-}
+SILENT = {"/patients/{patient_id}/archive/room"}  # how large the recordings are
 
 
 @contextmanager
@@ -41,23 +39,18 @@ def test_every_route_that_answers_with_something_of_a_patient_is_logged(
 ) -> None:
     monkeypatch.setattr(log, "VIEWED_EVERY", timedelta(0))
     calibrated.good("DELETE", "/session")
-    driven = next(one for one in calibrated.good("GET", f"/trials?patient={calibrated.patient['id']}"))
-    ids = {"patient_id": calibrated.patient["id"], "session_id": calibrated.session, "trial_id": trial}
-    needed: dict[str, Any] = {
-        "floorplan": driven["floorplan"],
-        "path": driven["path"],
-        "source": "simulated",
-        "patient": calibrated.patient["id"],
-    }
+    patient = calibrated.patient["id"]
+    driven = calibrated.good("GET", f"/trials?patient={patient}")[0]
+    ids = {"patient_id": patient, "session_id": calibrated.session, "trial_id": trial}
+    needed = {"floorplan": driven["floorplan"], "path": driven["path"], "source": "simulated", "patient": patient}
     silent, answered = [], 0
     for route in routes_of(calibrated, {"GET"}):
         name = route.removeprefix("GET ")
         placeholders = set(re.findall(r"\{(\w+)\}", name))
         if not placeholders or placeholders - ids.keys() or name in SILENT:
             continue
-        path = filled(name, **ids)
         before = len(calibrated.log())
-        answer = calibrated("GET", path, params=needed)
+        answer = calibrated("GET", filled(name, **ids), params=needed)
         if answer.status_code == 200:
             answered += 1
             if not ROWS & {row.what for row in calibrated.log()[before:]}:
@@ -96,15 +89,11 @@ def test_who_is_told_who_is_here_stands_in_the_log_once(calibrated: Clinic, path
             calibrated.good("GET", path)
     with calibrated.as_person(calibrated.cookies_of("Otto", "reviewer", [])):
         calibrated.good("GET", path)  # it says that nobody is here
-    assert viewings(calibrated, "Rita") == [here]
-    assert viewings(calibrated, "Otto") == []
+    assert (viewings(calibrated, "Rita"), viewings(calibrated, "Otto")) == ([here], [])
 
 
-def test_who_watches_a_session_live_stands_in_the_log_from_the_first_picture_of_each_patient(
-    calibrated: Clinic,
-) -> None:
-    first = calibrated.patient["id"]
-    second = calibrated.add_patient("P-2")
+def test_who_watches_a_session_live_stands_in_the_log_from_the_first_picture_of_each_patient(calibrated: Any) -> None:
+    first, second = calibrated.patient["id"], calibrated.add_patient("P-2")
     rita, otto = calibrated.cookies_of("Rita", "reviewer", None), calibrated.cookies_of("Otto", "reviewer", [second])
     with watching(calibrated, rita) as ritas, watching(calibrated, otto) as ottos:
         for _ in range(3):  # pictures of one patient make one row
@@ -116,5 +105,4 @@ def test_who_watches_a_session_live_stands_in_the_log_from_the_first_picture_of_
             next_message(socket, lambda m: m["session"] == session)
         while not (len(viewings(calibrated, "Rita")) > 1 and viewings(calibrated, "Otto")):
             ritas.receive_json()  # rows are written beside the pictures
-    assert viewings(calibrated, "Rita") == [first, second]
-    assert viewings(calibrated, "Otto") == [second]
+    assert (viewings(calibrated, "Rita"), viewings(calibrated, "Otto")) == ([first, second], [second])

@@ -18,21 +18,20 @@ from app.session.adaptation_reading import PastRun, adapt_from_recordings, movem
 from app.texts import Text
 from building import joint_map, profile_of
 
+Recorder = Callable[..., Path]
 AS_CALIBRATED, PUT_ON_AGAIN = (1.0, -0.6), (1.0, -0.05)  # how a joint's two channels answer to its angle
 SIZE = math.hypot(*AS_CALIBRATED)
 
 
 @pytest.fixture
 def parameters() -> DriveParameters:
-    rates = [gain / SIZE**2 for gain in AS_CALIBRATED]
-    maps = [
-        joint_map(joint, (2 * i, 2 * i + 1), rates, AS_CALIBRATED, full=3.0, evr=0.95) for i, joint in enumerate(JOINTS)
-    ]
+    rates, figures = [gain / SIZE**2 for gain in AS_CALIBRATED], {"full": 3.0, "evr": 0.95}
+    maps = [joint_map(joint, (2 * i, 2 * i + 1), rates, AS_CALIBRATED, **figures) for i, joint in enumerate(JOINTS)]
     return standard_parameters(profile_of(LAYOUT, maps, -1.0, 1.5, RATE))
 
 
 @pytest.fixture
-def trial(tmp_path: Path) -> Callable[..., Path]:
+def trial(tmp_path: Path) -> Recorder:
     """Record a trial of 30 s in which one joint moves after the other."""
 
     def _record(name: str, gains: tuple[float, float] = PUT_ON_AGAIN, state: State = State.ARMED) -> Path:
@@ -52,7 +51,7 @@ def trial(tmp_path: Path) -> Callable[..., Path]:
 
 
 @pytest.fixture
-def earlier(trial: Callable[..., Path]) -> list[Path]:
+def earlier(trial: Recorder) -> list[Path]:
     """Return the recordings of five trials of an earlier session, with the shirt as it was calibrated."""
     return [trial("earlier", AS_CALIBRATED)] * 5
 
@@ -68,7 +67,7 @@ def adapt(parameters: DriveParameters, folders: list[Path], fresh: int, earlier:
 
 
 def test_a_shirt_that_hides_the_movement_turns_the_map_two_degrees_for_each_new_trial(
-    parameters: DriveParameters, trial: Callable[..., Path], earlier: list[Path]
+    parameters: DriveParameters, trial: Recorder, earlier: list[Path]
 ) -> None:
     folders = [trial(name) for name in "abc"]
     for fresh in (1, 2):
@@ -80,14 +79,12 @@ def test_a_shirt_that_hides_the_movement_turns_the_map_two_degrees_for_each_new_
             assert "goes in another direction" in str(joint.reason)
 
 
-def test_one_trial_alone_turns_nothing(
-    parameters: DriveParameters, trial: Callable[..., Path], earlier: list[Path]
-) -> None:
+def test_one_trial_alone_turns_nothing(parameters: DriveParameters, trial: Recorder, earlier: list[Path]) -> None:
     assert adapt(parameters, [trial("a")], 1, earlier).parameters is None
 
 
 def test_who_waits_is_offered_a_smaller_step_instead_of_a_refusal(
-    parameters: DriveParameters, trial: Callable[..., Path], earlier: list[Path]
+    parameters: DriveParameters, trial: Recorder, earlier: list[Path]
 ) -> None:
     folders = [trial(name, (1.0, 0.5)) for name in "abc"]
     movements = [one for folder in folders if (one := movement_of(folder, parameters))]
@@ -100,7 +97,7 @@ def test_who_waits_is_offered_a_smaller_step_instead_of_a_refusal(
 
 
 def test_the_effect_is_what_the_last_trial_would_have_been(
-    parameters: DriveParameters, trial: Callable[..., Path], earlier: list[Path]
+    parameters: DriveParameters, trial: Recorder, earlier: list[Path]
 ) -> None:
     effect = answer(parameters, [trial(name) for name in "abc"], 1, earlier).effect
     assert effect is not None
@@ -111,22 +108,19 @@ def test_the_effect_is_what_the_last_trial_would_have_been(
     assert effect.alike > 0.95
 
 
-def test_a_map_that_fits_stays(parameters: DriveParameters, trial: Callable[..., Path]) -> None:
+def test_a_map_that_fits_stays(parameters: DriveParameters, trial: Recorder) -> None:
     assert adapt(parameters, [trial("a", AS_CALIBRATED)] * 6, 1).parameters is None
 
 
-def test_what_was_read_for_one_proposal_is_known_for_the_next(
-    parameters: DriveParameters, trial: Callable[..., Path]
-) -> None:
+def test_what_was_read_for_one_proposal_is_known_for_the_next(parameters: DriveParameters, trial: Recorder) -> None:
     folder = trial("a")
     read = answer(parameters, [folder], 1).read
-    assert read.hash == parameters.hash
-    assert set(read.figures) == {str(folder)}
+    assert (read.hash, set(read.figures)) == (parameters.hash, {str(folder)})
     assert set(read.figures[str(folder)]) == set(JOINTS)
 
 
 def test_what_cannot_be_read_or_never_moved_says_nothing(
-    parameters: DriveParameters, trial: Callable[..., Path], earlier: list[Path], tmp_path: Path
+    parameters: DriveParameters, trial: Recorder, earlier: list[Path], tmp_path: Path
 ) -> None:
     gone = tmp_path / "gone"
     assert adapt(parameters, [gone], 1).parameters is None

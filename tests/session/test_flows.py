@@ -55,9 +55,7 @@ def test_a_run_that_cannot_be_noted_is_not_left_running(tmp_path: Any) -> None:
 
 @pytest.mark.parametrize("refusal", [Unavailable("It did not answer."), Conflict("Nothing is being recorded.")])
 @in_event_loop
-async def test_a_run_whose_end_nobody_answers_is_open_no_more(
-    database: Database, tmp_path: Any, refusal: Exception
-) -> None:
+async def test_a_run_whose_end_nobody_answers_is_open_no_more(database: Database, tmp_path: Any, refusal: Any) -> None:
     """A control process that does not answer is ended (test_control_link.py), and so records no more."""
     with rows_in(database) as rows:
         session = rows.open_session()
@@ -74,8 +72,7 @@ async def test_a_run_whose_end_nobody_answers_is_open_no_more(
     assert runs.open is None
     assert (await runs.begin(session.id, "rest", (), {})).id != first.id
     with database.transaction() as db:
-        ended = [run.ended is not None for run in db.query(Run).order_by(Run.started)]
-    assert ended == [True, False]
+        assert [run.ended is not None for run in db.query(Run).order_by(Run.started)] == [True, False]
 
 
 @pytest.mark.parametrize(

@@ -16,9 +16,9 @@ SIMULATED = {"kind": "simulator", "seed": 1}
 class FakeControl:
     """A control process that opens head trackers, or refuses them with `reason`."""
 
-    def __init__(self) -> None:
+    def __init__(self, reason: str = "") -> None:
         self.opened: list[Any] = []
-        self.reason = ""
+        self.reason = reason
 
     async def load(self, _do: str, config: Any) -> None:
         if self.reason:
@@ -48,8 +48,7 @@ def test_what_was_chosen_is_opened_on_the_next_day(stored: Database) -> None:
 
 
 def test_one_that_is_not_there_in_the_morning_stays_chosen_and_says_why(stored: Database) -> None:
-    control = FakeControl()
-    control.reason = "Check its cable."
+    control = FakeControl("Check its cable.")
     chosen = choice(stored, control)
     asyncio.run(chosen.open())
     assert (chosen.config, chosen.failure) == (SIMULATED, "Check its cable.")
@@ -59,8 +58,7 @@ def test_one_that_is_not_there_in_the_morning_stays_chosen_and_says_why(stored: 
 
 
 def test_one_that_is_refused_leaves_none(stored: Database) -> None:
-    control = FakeControl()
-    control.reason = "Check its cable."
+    control = FakeControl("Check its cable.")
     chosen = choice(stored, control)
     with pytest.raises(Conflict, match="cable"):
         asyncio.run(chosen.use({"kind": "tablet"}))

@@ -60,10 +60,8 @@ def test_the_row_of_a_killed_run_says_what_is_on_the_disk(interrupted: Any, seed
         assert (gone.rows, gone.ended is None) == (None, False)
         assert [run.folder.name for run in recorded_runs(db, 1, None, folder)] == ["known", "gone"]
     end = read.columns["t"][-1] - read.columns["t"][0]
-    assert (
-        str(read.loss)
-        == f"{CUT} It ends {end:.2f} s after its first row; of the time until the cut, at most 0.5 s are lost."
-    )
+    says = f"It ends {end:.2f} s after its first row; of the time until the cut, at most 0.5 s are lost."
+    assert str(read.loss) == f"{CUT} {says}"
 
 
 def test_a_recording_without_a_row_is_kept_and_named_once(interrupted: Any) -> None:

@@ -68,14 +68,12 @@ def test_an_old_trial_is_measured_again_from_its_recording(database, tmp_path):
     renewed(database, tmp_path)
     with database.transaction() as db:
         measures = db.get_one(Trial, ids[0]).measures
-        assert measures["measures_version"] == MEASURES_VERSION
-        assert measures["person_stops"] == 1
+        assert (measures["measures_version"], measures["person_stops"]) == (MEASURES_VERSION, 1)
         assert measures["time"] + measures["person_stop_time"] == pytest.approx(11.5, abs=0.1)
         assert db.get_one(Trial, ids[1]).measures == OLD  # its recording is gone
         assert [*trials_of_older_measures(db, MEASURES_VERSION)] == [ids[1]]
         row = db.scalars(select(LogEntry).where(LogEntry.what == "trial measured again")).one()
-        assert row.details["before"]["time"] == 99.0
-        assert row.details["now"]["time"] == measures["time"]
+        assert (row.details["before"]["time"], row.details["now"]["time"]) == (99.0, measures["time"])
 
 
 def test_an_old_trial_that_was_interrupted_is_left_out_until_a_person_says_so(database, tmp_path):
@@ -87,8 +85,8 @@ def test_an_old_trial_that_was_interrupted_is_left_out_until_a_person_says_so(da
         keep_trial(db, trial, None)
     renewed(database, tmp_path, {**again, "time": 21.0})  # its measures are of this version: nothing is done
     with database.transaction() as db:
-        assert db.get_one(Trial, trial).kept
-        assert db.get_one(Trial, trial).measures["time"] == 20.0
+        row = db.get_one(Trial, trial)
+        assert (row.kept, row.measures["time"]) == (True, 20.0)
 
 
 def test_what_was_signed_is_measured_again_and_goes_on_counting(database, tmp_path):

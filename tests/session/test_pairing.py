@@ -29,8 +29,7 @@ def test_each_chair_has_a_key_of_its_own(db: Session, clinic: Clinic, tmp_path: 
     keys = tmp_path / "keys"
     ids = [paired(db, clinic, keys, name) for name in ("Blue", "Red")]
     assert [chair.key_id for chair in chairs_of(db)] == [1, 2]
-    secrets = {read_key(key_file(keys, key_id)).secret for key_id in (1, 2)}
-    assert len(secrets) == 2
+    assert len({read_key(key_file(keys, key_id)).secret for key_id in (1, 2)}) == 2
     assert all(stat.S_IMODE(file.stat().st_mode) == 0o600 for file in keys.iterdir())
     unpair_chair(db, keys, ids[0])
     assert [chair.name for chair in chairs_of(db)] == ["Red"]
@@ -41,9 +40,7 @@ def test_each_chair_has_a_key_of_its_own(db: Session, clinic: Clinic, tmp_path: 
     assert chairs_of(db)[-1].key_id == 3
 
 
-def test_a_key_that_an_interrupted_pairing_left_is_not_written_over(
-    db: Session, clinic: Clinic, tmp_path: Path
-) -> None:
+def test_a_key_that_an_interrupted_pairing_left_is_not_overwritten(db: Session, clinic: Clinic, tmp_path: Path) -> None:
     (tmp_path / "1.key").write_text("left")
     paired(db, clinic, tmp_path, "Blue")
     assert chairs_of(db)[0].key_id == 2

@@ -65,5 +65,4 @@ def test_who_stopped_the_chair_is_told_right() -> None:
     assert happened(Fault.STOP_GESTURE).startswith("You stopped")
     for fault in (Fault.STOP_TABLET, Fault.STOP_KEY):
         assert "on a clinician's page" in happened(fault)
-    told = {happened(fault) for fault in (Fault.SCREEN_LOST, Fault.SCREEN_HIDDEN, Fault.SCREEN_SLOW)}
-    assert len(told) == 3
+    assert len({happened(fault) for fault in (Fault.SCREEN_LOST, Fault.SCREEN_HIDDEN, Fault.SCREEN_SLOW)}) == 3

@@ -123,8 +123,7 @@ def test_a_calibration_is_fitted_from_its_recordings_alone(recorded):
         assert check_recording(folder, step.duration) is None
     profile = fit_recordings(LAYOUT, recorded, [], None)
     assert all(joint.map == "pca" for joint in profile.joints)
-    assert [joint.guided.repetitions for joint in profile.joints] == [3] * len(profile.joints)
-    assert [joint.name for joint in profile.joints] == list(JOINTS)
+    assert [(joint.name, joint.guided.repetitions) for joint in profile.joints] == [(joint, 3) for joint in JOINTS]
     for joint in profile.joints:
         assert joint.prompted
         assert joint.evr > 0.95

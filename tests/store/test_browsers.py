@@ -48,9 +48,7 @@ def test_a_browser_stays_known_from_its_last_sign_in_on(db: Session, ada: Person
     assert remember_browser(db, ada, token) != token
 
 
-def test_the_newest_few_browsers_of_a_person_are_known(
-    db: Session, ada: Person, monkeypatch: pytest.MonkeyPatch
-) -> None:
+def test_the_newest_browsers_of_a_person_are_known(db: Session, ada: Person, monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr(browsers, "MOST", 3)
     tokens = [remember_browser(db, ada, None) for _ in range(5)]
     assert [find_browser(db, ada, token) is not None for token in tokens] == [False, False, True, True, True]

@@ -18,10 +18,8 @@ from app.store.tables import Clinic, Patient
 def test_every_connection_is_durable_and_keeps_references_whole(tmp_path: Path) -> None:
     engine = make_engine(tmp_path / "a.sqlite")
     with engine.connect() as connection:
-        answers = [
-            connection.execute(text(f"PRAGMA {name}")).scalar()
-            for name in ("journal_mode", "synchronous", "foreign_keys")
-        ]
+        asked = ("journal_mode", "synchronous", "foreign_keys")
+        answers = [connection.execute(text(f"PRAGMA {name}")).scalar() for name in asked]
     engine.dispose()
     assert answers == ["wal", 2, 1]
 

@@ -140,9 +140,7 @@ def test_any_edit_removal_reordering_or_insertion_shows(
 
 
 @pytest.mark.parametrize("gone", [[1], [3], [ROWS], [ROWS - 1, ROWS], list(range(1, ROWS + 1))])
-def test_first_middle_newest_and_all_removed_rows_show_and_stay_shown(
-    written: Path, tmp_path: Path, gone: list[int]
-) -> None:
+def test_first_middle_newest_and_all_removed_rows_show_and_stay_shown(written: Path, tmp_path: Path, gone: Any) -> None:
     file = shutil.copytree(written, tmp_path / "copy") / "clinic.sqlite"
     rewrite(file, lambda rows: [row for row in rows if row[0] not in gone])
     assert "was changed" in str(verify_log(file).message)
@@ -172,11 +170,8 @@ while True:
 
 def crash(file: Path, when: str, after: int = 0) -> None:
     """Let a process write rows, and kill it between row and head, or after `after` writes."""
-    process = subprocess.Popen(
-        [sys.executable, "-c", CRASHING, str(file), when],
-        stdout=subprocess.PIPE,
-        env={**os.environ, "PYTHONPATH": str(ROOT)},
-    )
+    command = [sys.executable, "-c", CRASHING, str(file), when]
+    process = subprocess.Popen(command, stdout=subprocess.PIPE, env={**os.environ, "PYTHONPATH": str(ROOT)})
     try:
         assert process.stdout is not None
         for _ in range(after):
@@ -196,8 +191,7 @@ def test_a_crash_between_row_and_head_is_no_alarm_and_stands_in_the_log(tmp_path
     check = verify_log(file)
     assert check.whole
     assert "newest 3 rows are not in its head" in str(check.message)
-    database = Database(file)
-    database.close()
+    Database(file).close()
     assert str(verify_log(file).message) == "The log is whole: 4 rows, none edited, moved, put in or removed."
     rewrite(file, lambda rows: rows[:-1])
     assert not verify_log(file).whole
@@ -216,9 +210,8 @@ def test_a_head_that_is_missing_or_no_head_shows_and_is_begun_anew(written: Path
     file = shutil.copytree(written, tmp_path / "copy") / "clinic.sqlite"
     head = HeadFile(file).file
     for content in (None, b"", b"[1]", b"9 9 head" * 20):
-        if content is None:
-            head.unlink()
-        else:
+        head.unlink(missing_ok=True)
+        if content is not None:
             head.write_bytes(content)
         assert "head of the log is missing" in str(verify_log(file).message)
     Database(file).close()

@@ -44,9 +44,8 @@ class PatientMaps:
             gesture.model_copy(update={"dead_zone": gesture.dead_zone + by, "full": gesture.full + by})
             for gesture in now.gestures
         )
-        adapted = now.model_copy(
-            update={"profile": now.profile.model_copy(update={"joints": joints}), "gestures": gestures}
-        )
+        profile = now.profile.model_copy(update={"joints": joints})
+        adapted = now.model_copy(update={"profile": profile, "gestures": gestures})
         return save_adapted(self.db, self.patient.id, self.session.id, adapted, {"by": by})
 
     def back(self) -> Profile:

@@ -17,8 +17,7 @@ from app.store.people import count_people, the_clinic
 
 
 def test_a_sign_in_holds_until_sign_out_and_its_token_is_not_in_the_database(db: Session) -> None:
-    assert the_clinic(db) is None
-    assert count_people(db) == 0
+    assert (the_clinic(db), count_people(db)) == (None, 0)
     person = ClinicRows(db).person()
     token = sign_in(db, person, "password")
     found = signed_in(db, token)
@@ -38,8 +37,7 @@ def test_an_expired_sign_in_and_a_disabled_person_are_out(db: Session) -> None:
     assert session is not None
     session[0].expires = utc_now() - timedelta(seconds=1)
     db.flush()
-    assert signed_in(db, first) is None
-    assert signed_in(db, second) is not None
+    assert (signed_in(db, first) is None, signed_in(db, second) is None) == (True, False)
     person.disabled = utc_now()
     db.flush()
     assert signed_in(db, second) is None

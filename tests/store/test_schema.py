@@ -57,8 +57,7 @@ def older(file: Path, tmp_path_factory: pytest.TempPathFactory, monkeypatch: pyt
 
 def count(file: Path, table: str) -> int:
     with closing(sqlite3.connect(file)) as connection:
-        found: int = connection.execute(f"SELECT COUNT(*) FROM {table}").fetchone()[0]
-        return found
+        return int(connection.execute(f"SELECT COUNT(*) FROM {table}").fetchone()[0])
 
 
 def columns(file: Path, table: str) -> set[str]:
@@ -167,19 +166,15 @@ def test_a_newer_database_is_one_sentence_and_nothing_is_touched(file: Path, tmp
     assert contents(tmp_path) == before
 
 
-def test_without_room_for_the_copy_nothing_is_migrated(
-    older: Path, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
-) -> None:
-    before = contents(tmp_path)
+def test_without_room_for_the_copy_nothing_is_migrated(older: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    before = contents(older.parent)
     monkeypatch.setattr("app.store.backup.shutil.disk_usage", lambda _folder: SimpleNamespace(free=4_000_000))
     with pytest.raises(DiskFull, match=r"no room for a copy .* free 4 MB .* Nothing was changed"):
         Database(older)
-    assert contents(tmp_path) == before
+    assert contents(older.parent) == before
 
 
-def test_a_migration_that_fails_midway_leaves_the_old_database_usable(
-    older: Path, monkeypatch: pytest.MonkeyPatch
-) -> None:
+def test_a_migration_that_fails_leaves_the_old_database_usable(older: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     from alembic import op
 
     add = op.add_column
@@ -190,9 +185,8 @@ def test_a_migration_that_fails_midway_leaves_the_old_database_usable(
 
     with monkeypatch.context() as patch:
         patch.setattr("alembic.op.add_column", fails)
-        with pytest.raises(
-            Refusal, match=rf"could not be brought from schema {NEWEST} .*\(the machine is tired\).* as it was"
-        ):
+        said = rf"could not be brought from schema {NEWEST} .*\(the machine is tired\).* as it was"
+        with pytest.raises(Refusal, match=said):
             Database(older)
     assert (revision_of(older), count(older, "patient")) == (NEWEST, PATIENTS)
     with closing(sqlite3.connect(older)) as connection:
@@ -203,13 +197,10 @@ def test_a_migration_that_fails_midway_leaves_the_old_database_usable(
 
 
 def test_a_copy_is_of_one_moment_while_somebody_writes(file: Path, tmp_path: Path) -> None:
-    writer = sqlite3.connect(file)
-    writer.execute("DELETE FROM patient WHERE id = 1")
-    try:
+    with closing(sqlite3.connect(file)) as writer:
+        writer.execute("DELETE FROM patient WHERE id = 1")
         copy = back_up(file, tmp_path, "now")
         writer.commit()
-    finally:
-        writer.close()
     assert copy.rows["patient"] == count(copy.file, "patient") == PATIENTS
     assert [file.name for file in tmp_path.glob("*.backup*")] == [copy.file.name]
 
@@ -225,8 +216,7 @@ def test_a_copy_that_is_not_equal_or_cannot_be_made_is_none(
         with pytest.raises(Unavailable, match="not equal"):
             back_up(file, folder, "bad")
     assert list(folder.iterdir()) == []
-    damaged = tmp_path / "damaged.sqlite"
-    shutil.copy(file, damaged)
+    damaged = Path(shutil.copy(file, tmp_path / "damaged.sqlite"))
     with damaged.open("r+b") as opened:
         opened.seek(4096 * 3)
         opened.write(b"\xff" * 4096 * 4)

@@ -25,15 +25,8 @@ FILLED = {
     *("patient", "session", "trial", "run", "profile", "parameters", "session_note", "note_revision", "outcome_scale"),
     *("moment_comment", "comment_revision", "share_link", "patient_consent", "session_sign_off", "interface_test"),
 }
-VALUES: dict[type, Any] = {
-    bool: True,
-    int: 1,
-    float: 1.5,
-    str: "word",
-    object: {"word": "Zebra"},  # JSON
-    date: date(2026, 3, 1),
-    datetime: datetime(2026, 3, 1, 12, tzinfo=UTC),
-}
+VALUES: dict[type, Any] = {bool: True, int: 1, float: 1.5, str: "word", object: {"word": "Zebra"}}  # object: JSON
+VALUES |= {date: date(2026, 3, 1), datetime: datetime(2026, 3, 1, 12, tzinfo=UTC)}
 Rows = dict[str, list[dict[str, Any]]]
 
 
@@ -153,8 +146,7 @@ def other_files(state: Path, database: str) -> dict[str, tuple[bytes, int]]:
 def test_no_row_is_changed_by_the_way_down_to_a_version_and_up_again(
     filled: Path, tmp_path: Path, revision: str
 ) -> None:
-    file = Path(shutil.copy(filled, tmp_path / "clinic.sqlite"))
-    migrated(file)
+    file = migrated(Path(shutil.copy(filled, tmp_path / "clinic.sqlite")))
     newest = rows_of(file)
     down_to(file, revision)
     older = rows_of(file)

@@ -10,17 +10,8 @@ from app.session.adaptation import AdaptationFlow
 from app.session.adaptation_reading import AdaptationResult
 
 UP = 0.01
-
-
-EFFECT = Effect(
-    seconds=60.0,
-    activations_before=40,
-    activations_after=42,
-    false_before=3,
-    false_after=1,
-    alike=0.98,
-    felt_change=0.02,
-)
+BEFORE_AND_AFTER = {"activations_before": 40, "activations_after": 42, "false_before": 3, "false_after": 1}
+EFFECT = Effect(seconds=60.0, alike=0.98, felt_change=0.02, **BEFORE_AND_AFTER)
 
 
 def change(parameters: DriveParameters, felt: float = 0.03) -> AdaptationResult:

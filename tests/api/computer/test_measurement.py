@@ -60,9 +60,7 @@ def open_socket(clinic: Clinic, path: str) -> Iterator[Any]:
         yield socket
 
 
-def test_it_says_what_the_command_says_and_what_each_screen_draws(
-    paired: Clinic, monkeypatch: pytest.MonkeyPatch
-) -> None:
+def test_it_says_what_the_command_says_and_each_screen_draws(paired: Clinic, monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr(graphics, "ANSWER_LIMIT", 2.0)
     with (
         open_socket(paired, "/live") as page,
@@ -72,8 +70,8 @@ def test_it_says_what_the_command_says_and_what_each_screen_draws(
         asked = Asked(paired, 1)
         for socket in (page, screen):
             next_message(socket, lambda m: m.get("event") == "graphics")
-        page.send_json({"pictures": -1.0})  # nonsense changes nothing
-        page.send_json({"pictures": 58.4})
+        for pictures in (-1.0, 58.4):  # nonsense changes nothing
+            page.send_json({"pictures": pictures})
         screen.send_json({"pictures": 12})
         answer = asked.answer()
     assert answer.status_code == 200, answer.text

@@ -18,10 +18,8 @@ def test_before_anybody_is_here_there_is_nothing_to_arm(signed_in: Clinic) -> No
     summary = signed_in.good("GET", "/drives/summary")
     assert (summary["chair"], summary["parameters"], summary["speeds"]) == (None, None, None)
     assert summary["practised"] == {"trials": 0, "last": None}
-    assert [sentence.split(":")[0] for sentence in summary["refusals"]] == [
-        "No session is open",
-        "The virtual chair is chosen",
-    ]
+    session, chair = (sentence.split(":")[0] for sentence in summary["refusals"])
+    assert (session, chair) == ("No session is open", "The virtual chair is chosen")
     signed_in.begin_session()
     assert signed_in.good("GET", "/drives/summary")["refusals"][0].startswith("Nothing is calibrated yet")
 
@@ -30,12 +28,10 @@ def test_the_summary_is_what_would_apply(ready: Any) -> None:
     ready.good("POST", "/control/dial", json={"share": 0.5})
     ready.good("PUT", "/limits", json={**Speeds().model_dump(), "turn": 0.8})
     summary = ready.good("GET", "/drives/summary")
-    assert summary["chair"]["name"] == "Blue"
-    assert summary["parameters"]["mode_u1"] == "velocity"
-    assert summary["parameters"]["cruise_time"] == 10.0
+    parameters = summary["parameters"]
+    assert (summary["chair"]["name"], parameters["mode_u1"], parameters["cruise_time"]) == ("Blue", "velocity", 10.0)
     assert (summary["speeds"]["forward"], summary["speeds"]["turn"]) == (0.25, 0.4)  # chair, clinic, half of both
-    assert summary["practised"]["trials"] == 1
-    assert summary["last_practised"]["hash"] == summary["parameters"]["hash"]
+    assert (summary["practised"]["trials"], summary["last_practised"]["hash"]) == (1, parameters["hash"])
     assert (summary["differences"], summary["refusals"]) == ([], [])
 
 
@@ -125,9 +121,8 @@ def test_nobody_arms_from_outside(ready: Any, header: str) -> None:
         assert "in the building" in sentence_of(arm(ready, **{header: "127.0.0.1"}), 403)
         assert arm(ready).status_code == 201
         ready.good("POST", "/control/stop")
-        outside = ready("POST", "/control/clear", json={"stops": 1}, headers={header: "127.0.0.1"})
-        assert outside.status_code == 403
-        assert ready("POST", "/control/dial", json={"share": 0.5}, headers={header: "1"}).status_code == 403
+        for path, body, value in (("clear", {"stops": 1}, "127.0.0.1"), ("dial", {"share": 0.5}, "1")):
+            assert ready("POST", f"/control/{path}", json=body, headers={header: value}).status_code == 403
         assert ready("POST", "/control/stop", headers={header: "127.0.0.1"}).status_code == 200
         assert ready.good("POST", "/control/clear", json={"stops": 2})["state"] == "armed"
 

@@ -23,18 +23,11 @@ def practised(clinic: Any, **taught: Any) -> Any:
     return clinic
 
 
-@pytest.mark.parametrize(
-    "taught",
-    [
-        {},
-        {"repetitions": 1},
-        {"repetitions": 3, "check": WRONG_WAY, "pca_check": AGREES},
-        {"repetitions": 3, "check": TOO_SMALL, "pca_check": AGREES},
-    ],
-)
-def test_a_map_that_no_own_movement_confirms_is_practised_and_not_armed(
-    calibrated: Any, taught: dict[str, Any]
-) -> None:
+DISAGREE = [{"repetitions": 3, "check": check, "pca_check": AGREES} for check in (WRONG_WAY, TOO_SMALL)]
+
+
+@pytest.mark.parametrize("taught", [{}, {"repetitions": 1}, *DISAGREE])
+def test_a_map_that_no_own_movement_confirms_is_practised_and_not_armed(calibrated: Any, taught: Any) -> None:
     clinic = practised(calibrated, **taught)
     (sentence,) = clinic.good("GET", "/drives/summary")["refusals"]
     assert sentence.startswith("Other people taught the movement of ")

@@ -5,6 +5,7 @@ from typing import Any
 import numpy as np
 import pytest
 from api.fake_clinic import next_message
+from api.pairing import closing
 from starlette.websockets import WebSocketDisconnect
 
 from app.api.live.live_picture import lamps
@@ -16,8 +17,7 @@ def test_the_newest_tick_twenty_times_a_second(signed_in: Any) -> None:
         first, second = socket.receive_json(), socket.receive_json()
         assert second["tick"] > first["tick"]
         assert (first["state"], first["fault"], first["control"]) == ("disarmed", None, "alive")
-        assert first["values"][:3] == [None, 0.5, None]
-        assert len(first["values"]) == 8
+        assert (first["values"][:3], len(first["values"])) == ([None, 0.5, None], 8)
         assert (first["run"], first["trial"]) == (None, None)
         assert first["shirt"]["alive"] is True
         quality = next_message(socket, lambda m: "quality" in m)
@@ -41,9 +41,7 @@ def test_sign_out_closes_the_socket(signed_in: Any) -> None:
     with signed_in.socket("/live") as socket:
         socket.receive_json()
         signed_in.good("POST", "/auth/sign-out")
-        with pytest.raises(WebSocketDisconnect) as closed:
-            next_message(socket, lambda m: "never" in m)
-        assert closed.value.code == 4401
+        assert closing(socket) == 4401
 
 
 def test_stop_and_the_visitors_movement_go_down_and_nonsense_does_not(signed_in: Any) -> None:
@@ -51,14 +49,13 @@ def test_stop_and_the_visitors_movement_go_down_and_nonsense_does_not(signed_in:
         for text in ("{", "[]", '{"move": {"right_elbow": NaN}}', '{"move": {"right_elbow": 2}}', '{"unknown": 1}'):
             socket.send_text(text)
         socket.send_json({"move": {"right_elbow": 0.7}})
-        socket.send_json({"look": {"yaw": 0.5, "pitch": -0.25, "roll": 99.0}})
-        socket.send_json({"look": {"yaw": 0.5, "pitch": -0.25, "roll": 0.0}})
+        for roll in (99.0, 0.0):
+            socket.send_json({"look": {"yaw": 0.5, "pitch": -0.25, "roll": roll}})
         socket.send_json({"stop": True})
         next_message(socket, lambda m: m["state"] == "fault")
-    moves = [fields for do, fields in signed_in.process.told if do == "move"]
-    assert moves == [{"joints": {"right_elbow": 0.7}}]
-    looks = [fields for do, fields in signed_in.process.told if do == "look"]
-    assert looks == [{"yaw": 0.5, "pitch": -0.25, "roll": 0.0}]
+    told = [(do, fields) for do, fields in signed_in.process.told if do in {"move", "look"}]
+    look = {"yaw": 0.5, "pitch": -0.25, "roll": 0.0}
+    assert told == [("move", {"joints": {"right_elbow": 0.7}}), ("look", look)]
 
 
 def test_a_stop_counts_whatever_else_the_message_says(signed_in: Any) -> None:
@@ -72,8 +69,8 @@ def test_a_trial_shows_where_it_stands(calibrated: Any) -> None:
         calibrated.start_trial()
         message = next_message(socket, lambda m: m.get("trial") is not None)
         assert message["trial"]["length"] > 5
-        assert message["run"]["kind"] == "drive"
-        assert (message["stops"], message["dial"], message["chair"], message["drive"]) == (0, 1.0, None, None)
+        told = (message["run"]["kind"], message["stops"], message["dial"], message["chair"], message["drive"])
+        assert told == ("drive", 0, 1.0, None, None)
 
 
 def test_without_a_control_process_the_chair_is_shown_standing(signed_in: Any) -> None:

@@ -4,7 +4,7 @@ import time
 from typing import Any
 
 import pytest
-from api.fake_clinic import WORD
+from api.fake_clinic import WORD, until
 from api.pairing import code_of, pair
 from clinic_rows import plan_at
 
@@ -37,8 +37,8 @@ def says(socket: Any, picture: str) -> None:
 
 def until_said(clinic: Any, refused: bool) -> None:
     """Wait until the server has received the reports of the screens."""
-    while any(picture == "none" for _, picture in clinic.parts[ScreenPictures]._screens.values()) is not refused:
-        time.sleep(0.002)
+    said = clinic.parts[ScreenPictures]._screens
+    until(lambda: any(picture == "none" for _, picture in said.values()) is refused)
 
 
 def test_a_screen_without_a_picture_starts_no_trial(ready: Any) -> None:
@@ -86,8 +86,7 @@ def test_a_picture_lost_in_a_trial_halts_it_until_there_is_one_again(ready: Any)
         says(socket, "none")
         says(socket, "plan")
         trial = ready.parts[TrialFlow].current
-        while ready.parts[ScreenPictures].refusal(Screen(trial.person_id, trial.screen)):
-            time.sleep(0.002)
+        until(lambda: not ready.parts[ScreenPictures].refusal(Screen(trial.person_id, trial.screen)))
         assert ready.process.stops == stops  # what stands is not stopped again
         assert ready.good("POST", "/control/clear", json={"stops": stops})["state"] == "armed"
 
@@ -98,19 +97,16 @@ def test_a_late_picture_halts_nothing_and_is_told_as_a_slow_screen(ready: Any) -
         ready.start_trial(**WHERE)
         assert ready.parts[DrivingScreen].sign().view == "in view"
         says(socket, "late")
-        while ready.parts[DrivingScreen].sign().view != "slow":
-            time.sleep(0.002)
+        until(lambda: ready.parts[DrivingScreen].sign().view == "slow")
         assert ready.process.state.name == "ARMED"  # the control process pauses it
         ready.good("POST", "/control/stop")
         assert "no picture" in ready.refused(409, "POST", "/control/clear", json={"stops": ready.process.stops})
         says(socket, "view")
-        while ready.parts[DrivingScreen].sign().view != "in view":
-            time.sleep(0.002)
+        until(lambda: ready.parts[DrivingScreen].sign().view == "in view")
         assert ready.good("POST", "/control/clear", json={"stops": ready.process.stops})["state"] == "armed"
         ready.end_trial()
         says(socket, "late")
-        while not ready.parts[ScreenPictures].is_late(Screen(1, WORD)):
-            time.sleep(0.002)
+        until(lambda: ready.parts[ScreenPictures].is_late(Screen(1, WORD)))
         assert ready("POST", "/trials", json=WHERE).status_code == 409
 
 
@@ -128,31 +124,27 @@ def test_the_patients_screen_tells_the_clinicians_page_and_halts_too(ready: Any)
     def shown() -> Any:
         return ready.good("GET", "/patient-screen")["screens"][0]["picture"]
 
+    def shows(socket: Any, picture: str) -> None:
+        socket.send_json({"picture": picture})
+        until(lambda: shown() == picture)
+
     with ready.socket("/patient/live") as socket:
         for junk in ('{"picture": "eye"}', "{", '{"picture": "none", "screen": 1}', "x" * 400):
             socket.send_text(junk)
         assert shown() is None
-        socket.send_json({"picture": "none"})
-        while shown() != "none":
-            pass
+        shows(socket, "none")
         assert "patient's screen" in ready.refused(409, "POST", "/trials", json=WHERE)
-        socket.send_json({"picture": "plan"})
-        while shown() != "plan":
-            pass
+        shows(socket, "plan")
         ready.start_trial(**WHERE)
         socket.send_json({"picture": "none"})
         assert until_state(ready, "fault") == "PICTURE_LOST"
-        socket.send_json({"picture": "view"})
-        while shown() != "view":
-            pass
+        shows(socket, "view")
         ready.good("POST", "/control/clear", json={"stops": ready.process.stops})
     assert until_state(ready, "fault") == "PICTURE_LOST"  # it is gone, and the patient sees nothing any more
     assert "out of reach" in ready.refused(409, "POST", "/control/clear", json={"stops": ready.process.stops})
     assert ready.process.state.name == "FAULT"
     with ready.socket("/patient/live") as socket:
-        socket.send_json({"picture": "view"})
-        while shown() != "view":
-            pass
+        shows(socket, "view")
         assert ready.good("POST", "/control/clear", json={"stops": ready.process.stops})["state"] == "armed"
 
 
@@ -163,8 +155,7 @@ def test_a_screen_that_was_unpaired_or_left_in_an_earlier_trial_holds_nothing(re
         ready.start_trial(**WHERE)
         with ready.socket("/patient/live") as socket:
             socket.send_json({"picture": "view"})
-            while ready.parts[ScreenPictures].patients() != {screen: "view"}:
-                time.sleep(0.002)
+            until(lambda: ready.parts[ScreenPictures].patients() == {screen: "view"})
         assert until_state(ready, "fault") == "PICTURE_LOST"
         return {"stops": ready.process.stops}
 

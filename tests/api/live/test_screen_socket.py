@@ -5,6 +5,7 @@ from typing import Any
 
 import pytest
 from api.fake_clinic import WHERE, WORD
+from api.pairing import closing
 from starlette.websockets import WebSocketDisconnect
 
 from app.api.live import screens
@@ -94,9 +95,7 @@ def test_a_second_socket_with_the_same_word_does_not_keep_the_chair_driving(cali
         since = len(calibrated.process.told)
         with calibrated.socket("/screen") as second:
             second.send_json(saying())
-            with pytest.raises(WebSocketDisconnect) as closed:
-                second.receive_text()
-        assert closed.value.code == 4409
+            assert closing(second, most=1) == 4409
         # The first one is silent, and the gate is told so.
         while (beats := next_beats(calibrated, since))[-1][0] < 0.31:
             time.sleep(0.01)
@@ -119,9 +118,7 @@ def test_a_socket_that_is_dead_but_open_gives_way_long_after_the_chair_stopped(
             while next_beats(calibrated)[-1][0] > 0.4:
                 time.sleep(0.001)
             dead.send_json(saying(visible=False))  # it comes back, too late
-            with pytest.raises(WebSocketDisconnect) as closed:
-                dead.receive_text()
-            assert closed.value.code == 4409
+            assert closing(dead, most=1) == 4409
             assert next_beats(calibrated)[-1][1] == "in view"
 
 
@@ -162,9 +159,7 @@ def test_what_cannot_be_read_is_silence(calibrated: Any, junk: str) -> None:
 def test_what_is_no_text_closes_the_socket(signed_in: Any) -> None:
     with signed_in.socket("/screen") as socket:
         socket.send_bytes(b"\x00")
-        with pytest.raises(WebSocketDisconnect) as closed:
-            socket.receive_text()
-    assert closed.value.code == 1003
+        assert closing(socket, most=1) == 1003
 
 
 def test_a_trial_needs_the_word_of_its_screen(calibrated: Any) -> None:

@@ -36,8 +36,7 @@ def test_a_trial_is_shown_with_what_to_do_and_how_it_ended(paired: Clinic) -> No
         assert message["fault"] == {"name": "stop_tablet", "message": "Stop was pressed on a clinician's page."}
         assert message["waits"] == {"for": "clinician", "message": "We wait for your clinician to look and to go on."}
         paired.good("POST", "/trials/current/end", json={})
-        message = next_message(socket, lambda m: m["trial"] is None)
-        assert message["over"] == {"id": trial["id"], "end": "by hand"}
+        assert next_message(socket, lambda m: m["trial"] is None)["over"] == {"id": trial["id"], "end": "by hand"}
 
 
 def test_a_prompt_of_the_calibration_is_a_cue(paired: Clinic) -> None:
@@ -56,14 +55,8 @@ def test_a_prompt_of_the_calibration_is_a_cue(paired: Clinic) -> None:
         paired.good("POST", f"/calibration/steps/{step['id']}/start")
         process.run_t = step["cues"][1]["start"] + 0.25
         cue = next_message(socket, lambda m: m["cue"] is not None and m["cue"]["t"] >= 0)["cue"]
-        assert cue == {
-            "index": 1,
-            "kind": "move",
-            "movement": "Bend your right elbow",
-            "t": 0.25,
-            "length": 1.0,
-            "next": "return",
-        }
+        move = {"index": 1, "kind": "move", "movement": "Bend your right elbow", "next": "return"}
+        assert cue == {**move, "t": 0.25, "length": 1.0}
         paired.good("POST", f"/calibration/steps/{step['id']}/cancel")
 
 
@@ -85,17 +78,15 @@ def test_what_the_clinician_asks_for_is_shown_and_kept_for_the_session(paired: C
 def test_nothing_it_says_is_acted_on_and_a_flood_is_cut_off(screen: Clinic, monkeypatch: pytest.MonkeyPatch) -> None:
     before = len(screen.process.calls)
     with screen.socket("/patient/live") as socket:
-        socket.send_json({"stop": True})
-        socket.send_json({"move": {"right_elbow": 1}})
-        socket.send_json({"look": {"yaw": 1}})
+        for message in ({"stop": True}, {"move": {"right_elbow": 1}}, {"look": {"yaw": 1}}):
+            socket.send_json(message)
         socket.send_bytes(b"\x00" * 100)
         for _ in range(5):
             assert socket.receive_json()["state"] == "disarmed"
         for _ in range(patient_socket.FLOOD):
             socket.send_text("x")
         assert closing(socket) == 1008
-    done = [do for do, _ in screen.process.calls[before:]]
-    assert "stop" not in done
+    assert "stop" not in [do for do, _ in screen.process.calls[before:]]
     assert [do for do, _ in screen.process.told if do in {"move", "look"}] == []
     monkeypatch.setattr(patient_socket, "WITHIN", -1.0)
     with screen.socket("/patient/live") as socket:

@@ -15,9 +15,8 @@ def test_controls_are_set_undone_named_and_never_half(signed_in: Any) -> None:
     controls = signed_in.good("GET", "/controls")
     parameters = controls["parameters"]
     assert (controls["can_undo"], controls["can_redo"], controls["saved"]) == (False, False, ["Standard"])
-    body = {
-        name: parameters[name] for name in ("gestures", "bindings", "mode_u1", "mode_u2", "cutoff", "speeds", "title")
-    }
+    kept = ("gestures", "bindings", "mode_u1", "mode_u2", "cutoff", "speeds", "title")
+    body = {name: parameters[name] for name in kept}
     bad = signed_in("PUT", "/controls", json={**body, "bindings": [{"control": "u1+", "gestures": ["nobody"]}]})
     assert (bad.status_code, "nobody" in bad.json()["detail"]) == (422, True)
     assert signed_in("PUT", "/controls", json={**body, "cutoff": 900.0}).status_code == 422
@@ -28,8 +27,7 @@ def test_controls_are_set_undone_named_and_never_half(signed_in: Any) -> None:
     obstacle = signed_in.good("PUT", "/controls", json={**body, "bindings": no_brake})["obstacle"]
     assert ("bind a movement" in obstacle["message"], obstacle["page"]) == (True, "controls")
     assert signed_in.good("POST", "/controls/undo")["obstacle"] is None
-    changed = signed_in.good("PUT", "/controls", json={**body, "cutoff": 5.0, "title": "Brisk"})
-    assert changed["can_undo"] is True
+    assert signed_in.good("PUT", "/controls", json={**body, "cutoff": 5.0, "title": "Brisk"})["can_undo"] is True
     assert signed_in.process.parameters["cutoff"] == 5.0
     undone = signed_in.good("POST", "/controls/undo")
     assert (undone["hash"], undone["can_redo"]) == (controls["hash"], True)
@@ -49,9 +47,8 @@ def test_the_gestures_are_those_of_the_calibration_and_one_suggestion_is_everywh
     found = signed_in.good("GET", "/calibration/gestures")
     assert found["source"] == "profile"  # the runs of these tests are not on disk, and it says so
     assert "recordings" in found["message"]
-    assert [one["score"] for one in found["gestures"]] == sorted(
-        (one["score"] for one in found["gestures"]), reverse=True
-    )
+    scores = [one["score"] for one in found["gestures"]]
+    assert scores == sorted(scores, reverse=True)
     suggested = signed_in.good("POST", "/controls/suggest")
     assert suggested["parameters"]["bindings"] == found["suggestion"]["bindings"] == suggested["suggested"]["bindings"]
     assert suggested["parameters"]["gestures"] == found["suggestion"]["gestures"]

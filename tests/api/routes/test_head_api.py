@@ -10,9 +10,8 @@ def test_a_head_tracker_is_chosen_kept_and_taken_away(signed_in: Any) -> None:
     shown = signed_in.good("PUT", "/equipment/head", json={"config": OPENTRACK})
     assert shown["head"]["config"] == OPENTRACK
     assert signed_in.process.calls[-1] == ("head", {"config": OPENTRACK})
-    assert [entry.details for entry in signed_in.log() if entry.what == "head tracker chosen"] == [
-        {"kind": "opentrack"}
-    ]
+    (chosen,) = [entry for entry in signed_in.log() if entry.what == "head tracker chosen"]
+    assert chosen.details == {"kind": "opentrack"}
     assert signed_in.good("PUT", "/equipment/head", json={"config": None})["head"]["config"] is None
 
 
@@ -42,5 +41,4 @@ def test_a_recorded_head_is_played_from_a_brought_file(signed_in: Any) -> None:
     assert [(file["name"], file["kind"]) for file in shown["files"]] == [("head.csv", "head")]
     signed_in.good("PUT", "/equipment/head", json={"config": {"kind": "recorded", "file": "head.csv"}})
     assert signed_in.process.calls[-1][1]["config"]["file"].endswith("/head.csv")
-    answer = signed_in("PUT", "/equipment/head", json={"config": {"kind": "recorded", "file": "other.csv"}})
-    assert answer.status_code == 404
+    signed_in.refused(404, "PUT", "/equipment/head", json={"config": {"kind": "recorded", "file": "other.csv"}})

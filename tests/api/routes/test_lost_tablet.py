@@ -22,11 +22,6 @@ def begin_in_the_middle(clinic: Clinic) -> Any:
     return clinic.good("GET", "/calibration")
 
 
-def end(clinic: Clinic) -> Any:
-    clinic.process.run_t = 1000.0
-    return clinic.until("/calibration", lambda c: c["running"] is None)
-
-
 def states(wizard: Any) -> list[str]:
     return [step["status"] for step in wizard["steps"]]
 
@@ -45,8 +40,7 @@ def test_a_page_that_is_loaded_again_in_the_middle_of_a_step_is_in_the_middle_of
     signed_in.good("GET", "/start")
     assert signed_in.good("GET", "/calibration") == before
     assert run_of_picture(signed_in) == {"kind": "free", "t": 3.0, "cue": None}
-    wizard = end(signed_in)
-    assert states(wizard)[:3] == ["done", "done", "waiting"]
+    assert states(signed_in.end_step())[:3] == ["done", "done", "waiting"]
     assert runs(signed_in) == kept  # both recordings, and none was begun again
 
 
@@ -62,12 +56,12 @@ def test_a_tablet_that_is_lost_in_the_middle_of_a_step_loses_nothing_and_another
         signed_in.good("POST", "/auth/demo", json={"code": "the-code-of-the-link"})
         assert signed_in.good("GET", "/calibration") == before
         assert run_of_picture(signed_in)["t"] == 3.0
-        wizard = end(signed_in)
+        wizard = signed_in.end_step()
         assert states(wizard)[:3] == ["done", "done", "waiting"]
         assert wizard["current"] == wizard["steps"][2]["id"]
         assert runs(signed_in) == kept
         signed_in.good("POST", f"/calibration/steps/{wizard['current']}/start")
-        assert states(end(signed_in))[:3] == ["done"] * 3
+        assert states(signed_in.end_step())[:3] == ["done"] * 3
 
 
 def test_a_sign_out_in_the_middle_of_a_step_does_not_end_it(signed_in: Clinic) -> None:
@@ -75,4 +69,4 @@ def test_a_sign_out_in_the_middle_of_a_step_does_not_end_it(signed_in: Clinic) -
     signed_in.good("POST", "/auth/sign-out")
     signed_in.good("POST", "/auth/demo", json={"code": "the-code-of-the-link"})
     assert signed_in.good("GET", "/calibration")["running"]["step"] == "free"
-    assert states(end(signed_in))[:2] == ["done", "done"]
+    assert states(signed_in.end_step())[:2] == ["done", "done"]

@@ -42,11 +42,8 @@ def choose(clinic: Any, joint: str, kind: str) -> Any:
 def test_both_figures_are_shown_and_the_study_s_map_is_chosen(fitted: Any) -> None:
     right, left, shoulder, _ = fitted.good("GET", "/calibration")["result"]["joints"]
     assert (right["map"], left["map"], shoulder["map"]) == ("pca", "pca", "pca")
-    assert right["guided"]["offered"] is True
-    assert right["guided"]["pca_check"]["in_phase"] == 0.86
-    assert right["guided"]["check"]["in_phase"] == 0.95
-    assert left["guided"]["offered"] is False
-    assert shoulder["guided"] is None
+    assert (right["guided"]["offered"], left["guided"]["offered"], shoulder["guided"]) == (True, False, None)
+    assert [right["guided"][check]["in_phase"] for check in ("pca_check", "check")] == [0.86, 0.95]
     assert right["dead_zone"] == 0.2
 
 
@@ -54,8 +51,7 @@ def test_the_chosen_map_drives_once_the_result_is_accepted(fitted: Any) -> None:
     answer = choose(fitted, "right_elbow", "guided")
     assert answer.status_code == 200, answer.text
     result = answer.json()["result"]
-    assert result["joints"][0]["map"] == "guided"
-    assert (result["joints"][0]["dead_zone"], result["joints"][0]["full"]) == (0.4, 1.5)
+    assert [result["joints"][0][name] for name in ("map", "dead_zone", "full")] == ["guided", 0.4, 1.5]
     assert result["accepted"] is False
     assert fitted.process.parameters["profile"]["joints"][0]["map"] == "pca"  # what is loaded is what was accepted
     fitted.good("POST", "/calibration/accept")

@@ -7,16 +7,8 @@ import pytest
 
 
 def test_nobody_signed_in_sees_no_patient(clinic: Any) -> None:
-    for path in (
-        "/patients",
-        "/session",
-        "/equipment",
-        "/calibration",
-        "/controls",
-        "/floorplans",
-        "/trials?patient=1",
-    ):
-        assert clinic.refused(401, "GET", path).startswith("You are not signed in")
+    for path in ("patients", "session", "equipment", "calibration", "controls", "floorplans", "trials?patient=1"):
+        assert clinic.refused(401, "GET", f"/{path}").startswith("You are not signed in")
 
 
 def test_a_patient_is_added_deleted_and_brought_back(signed_in: Any) -> None:
@@ -44,8 +36,8 @@ def test_a_patient_is_added_deleted_and_brought_back(signed_in: Any) -> None:
 def test_bad_input_is_one_sentence_and_adds_nobody(signed_in: Any, body: Any, words: str) -> None:
     answer = signed_in("POST", "/patients", content=json.dumps(body), headers={"Content-Type": "application/json"})
     assert answer.status_code == 422
-    assert words in answer.json()["detail"]
     assert isinstance(answer.json()["detail"], str)
+    assert words in answer.json()["detail"]
     assert signed_in.good("GET", "/patients") == []
 
 
@@ -55,9 +47,7 @@ def test_what_is_not_json_is_said_so(signed_in: Any) -> None:
 
 
 def test_an_open_session_of_another_patient_ends_only_when_the_person_agrees(signed_in: Any) -> None:
-    first, second = (
-        signed_in.good("POST", "/patients", json={"code": code, "pseudonym": code})["id"] for code in ("P-1", "P-2")
-    )
+    first, second = (signed_in.add_patient(code) for code in ("P-1", "P-2"))
     opened = signed_in.good("POST", "/session", json={"patient_id": first})["session"]
     assert opened["trials"] == 0
     for ends in ({}, {"ends": opened["id"] + 1}):

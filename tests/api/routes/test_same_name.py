@@ -71,13 +71,11 @@ def test_what_was_replaced_can_be_put_back(
     (second,) = contents(settings, folder).values()
     assert second != first
     (row,) = signed_in.good("GET", "/replaced")
-    assert row["name"].startswith(name)
-    assert row["bytes"] == len(first)
+    assert (row["name"].startswith(name), row["bytes"]) == (True, len(first))
     back = signed_in.good("POST", f"/replaced/{row['kind']}/{row['id']}/restore")
     assert back["name"] == proposed[0]
     stored = contents(settings, folder)
-    assert second in stored.values()
-    assert len(stored) == 2
+    assert (second in stored.values(), len(stored)) == (True, 2)
     if folder == "floorplans":
         assert signed_in.good("GET", f"/floorplans/{proposed[0]}")["title"] == "Room 1"
     else:
@@ -107,8 +105,8 @@ def test_a_recording_of_this_program_is_not_replaced(signed_in: Any, settings: A
     (settings.files / "walk.csv").mkdir(parents=True)
     for same_name in ("", "?same_name=replace"):
         answer = recording(signed_in, 1, "walk.csv", same_name)
-        assert answer.status_code == 409
-        assert answer.json()["choice"] == {"proposed": "walk-2.csv", "may_replace": False}
+        choice = {"proposed": "walk-2.csv", "may_replace": False}
+        assert (answer.status_code, answer.json()["choice"]) == (409, choice)
     assert recording(signed_in, 1, "walk.csv", "?same_name=keep-both").status_code == 201
 
 

@@ -16,9 +16,7 @@ WORDS = {
 }
 
 
-def test_a_real_clinic_begins_without_a_shirt_and_keeps_the_one_that_was_chosen(
-    owned: Clinic, real_settings: Settings
-) -> None:
+def test_a_real_clinic_begins_without_a_shirt_and_keeps_a_chosen_one(owned: Clinic, real_settings: Settings) -> None:
     equipment = owned.good("GET", "/equipment")
     assert (equipment["shirt"], equipment["simulated"], equipment["body"], equipment["layout"]) == (None,) * 4
     assert equipment["status"]["message"] == "No shirt yet: choose one on the Shirt page."
@@ -26,8 +24,7 @@ def test_a_real_clinic_begins_without_a_shirt_and_keeps_the_one_that_was_chosen(
     assert "shirt" not in [do for do, _ in owned.process.calls]
     assert owned.parts[ClinicLive]._picture().shirt.chosen is False
     owned.begin_session()
-    refused = owned("POST", "/calibration/steps/rest/start")
-    assert refused.status_code in {404, 409}
+    assert owned("POST", "/calibration/steps/rest/start").status_code in {404, 409}
     owned.good("PUT", "/equipment/shirt", json=SIMULATED)
     token = owned.client.cookies["bodydrive_sign_in"]
     for again in running(real_settings):
@@ -66,8 +63,7 @@ def test_trials_say_their_source_and_worn_and_simulated_ones_are_never_mixed(own
         made.setdefault(kind, []).append(trial["id"])
         assert trial["source"]["description"] == WORDS[kind]
         assert trial["source"]["simulated"] is (config is SIMULATED)
-        detail = owned.good("GET", f"/trials/{trial['id']}")
-        assert detail["source"] == trial["source"]
+        assert owned.good("GET", f"/trials/{trial['id']}")["source"] == trial["source"]
     listed = owned.good("GET", f"/trials?patient={patient}")
     assert [one["source"]["simulated"] for one in listed] == [False, True, False]
     query = "floorplan=apartment&path=main"
@@ -102,6 +98,6 @@ def test_a_simulated_calibration_drives_no_worn_shirt_and_no_calibration_mixes_b
     assert owned.process.parameters is None
     assert "nobody wore" in owned.refused(409, "POST", "/trials", json=WHERE)
     owned.good("POST", "/calibration/steps/rest/start")  # again, in the worn shirt, the others being simulated
-    wizard = owned.end_step()
-    assert wizard["steps"][-1]["status"] == "failed"
-    assert wizard["steps"][-1]["message"].startswith("Some steps were recorded in a shirt that nobody wears")
+    result = owned.end_step()["steps"][-1]
+    assert result["status"] == "failed"
+    assert result["message"].startswith("Some steps were recorded in a shirt that nobody wears")

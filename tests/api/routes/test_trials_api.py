@@ -116,12 +116,11 @@ def test_stop_is_for_anyone_and_twice_and_clear_is_not(calibrated: Any) -> None:
     for _ in range(2):
         assert calibrated.good("POST", "/control/stop") == {"state": "fault", "fault": "stop_tablet"}
     assert calibrated.client.post("/api/v1/control/stop").status_code == 200
-    foreign = calibrated.client.post("/api/v1/control/stop", headers={"Origin": "http://evil.example"})
-    assert foreign.status_code == 403
+    evil = {"Origin": "http://evil.example"}
+    assert calibrated.client.post("/api/v1/control/stop", headers=evil).status_code == 403
     assert calibrated("POST", "/control/clear", json={"stops": 3}).status_code == 401
     calibrated.client.cookies["bodydrive_sign_in"] = token
-    seen_before = calibrated("POST", "/control/clear", json={"stops": 2})
-    assert seen_before.status_code == 409
+    assert calibrated("POST", "/control/clear", json={"stops": 2}).status_code == 409  # seen before the third one
     assert calibrated.good("POST", "/control/clear", json={"stops": 3}) == {"state": "armed", "fault": None}
     assert [do for do, _ in calibrated.process.calls].count("stop") == 3
 
@@ -184,9 +183,8 @@ def test_stop_answers_even_when_nothing_is_left_to_stop(calibrated: Any) -> None
 
 
 def test_a_path_that_does_not_exist_starts_nothing(calibrated: Any) -> None:
-    assert calibrated("POST", "/trials", json={**WHERE, "path": "nowhere"}).status_code == 404
-    assert calibrated("POST", "/trials", json={**WHERE, "floorplan": "nowhere"}).status_code == 404
-    assert calibrated("POST", "/trials", json={**WHERE, "floorplan": "../../x"}).status_code == 422
+    for where, status in (({"path": "nowhere"}, 404), ({"floorplan": "nowhere"}, 404), ({"floorplan": "../../x"}, 422)):
+        assert calibrated("POST", "/trials", json={**WHERE, **where}).status_code == status
     assert "run" not in [do for do, _ in calibrated.process.calls[-2:]]
 
 

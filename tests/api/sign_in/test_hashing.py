@@ -36,14 +36,10 @@ async def test_a_password_is_its_own_and_no_others():
     async with started() as made:
         stored = await made.hash("correct horse battery")
         assert stored.startswith("$argon2id$")
-        given = (
-            (stored, "correct horse battery"),
-            (stored, "another"),
-            (None, "correct horse battery"),
-            ("junk", "x"),
-            (await made.hash("äöü \u202e 🦩\n" * 20), "äöü \u202e 🦩\n" * 20),
-        )
-        assert [await made.matches(*one) for one in given] == [True, False, False, False, True]
+        odd = "äöü \u202e 🦩\n" * 20
+        right = ((stored, "correct horse battery"), (await made.hash(odd), odd))
+        wrong = ((stored, "another"), (None, "correct horse battery"), ("junk", "x"))
+        assert [await made.matches(*one) for one in (*right, *wrong)] == [True, True, False, False, False]
 
 
 class CountingHasher(PasswordHasher):

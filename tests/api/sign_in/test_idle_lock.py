@@ -6,6 +6,7 @@ from typing import Any
 
 import pytest
 from api.fake_clinic import BASE, Clinic, next_message
+from api.pairing import closing
 from api.people_of_clinic import OWNER, accepted, invited
 from api.served_routes import requested, table
 from api.test_roles import FOR_EVERYONE
@@ -53,14 +54,11 @@ def test_a_locked_page_can_stop_and_be_unlocked_with_the_right_password_only(own
     later(9.9)
     assert owned("GET", "/patients").status_code == 200
     later(0.2)
-    answer = owned("GET", "/patients")
-    assert answer.status_code == 423
-    assert "locked" in answer.json()["detail"]
+    assert "locked" in owned.refused(423, "GET", "/patients")
     assert owned.good("GET", "/auth/me")["locked"] is True
     start = owned.good("GET", "/start")
     assert (start["me"]["name"], start["session"]) == ("Ada", None)
-    assert owned("POST", "/control/stop").status_code == 200
-    assert owned.process.stops == 1
+    assert (owned("POST", "/control/stop").status_code, owned.process.stops) == (200, 1)
     assert owned("POST", "/auth/unlock", json={"password": "nothing like it"}).status_code == 401
     assert owned("GET", "/patients").status_code == 423
     assert owned.good("POST", "/auth/unlock", json=PASSWORD)["locked"] is False
@@ -120,9 +118,7 @@ def test_the_3d_view_ends_when_the_page_is_locked(owned: Clinic, later: Later, m
     serve_view(monkeypatch)
     with owned.client.websocket_connect(**VIEW) as socket:
         later(11)
-        with pytest.raises(WebSocketDisconnect) as ended:
-            socket.receive_text()
-        assert ended.value.code == 4409
+        assert closing(socket, most=1) == 4409
     with pytest.raises(WebSocketDisconnect), owned.client.websocket_connect(**VIEW):
         pass
 

@@ -86,9 +86,7 @@ def test_somebody_elses_browser_and_an_invented_one_are_not_known(signed_out: Cl
         assert signed_out.client.post(f"/api/v1{SIGN_IN}", json=body, headers=headers).status_code == 429
 
 
-def test_beyond_a_few_at_once_nobody_waits_and_no_try_is_lost(
-    signed_out: Clinic, monkeypatch: pytest.MonkeyPatch
-) -> None:
+def test_of_many_at_once_nobody_waits_and_no_try_is_lost(signed_out: Clinic, monkeypatch: pytest.MonkeyPatch) -> None:
     go_on = asyncio.Event()
 
     async def slowly(*_given: Any) -> bool:

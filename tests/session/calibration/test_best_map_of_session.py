@@ -51,8 +51,7 @@ def test_other_people_s_help_is_used_where_it_is_better_on_repetitions_that_were
     joint = fitted(recorded, entry)[UNCLEAR]
     assert joint.prior.check.in_phase > joint.prior.pca_check.in_phase + 0.05
     assert (joint.map, joint.best_map, joint.prior.repetitions) == ("prior", "prior", 3)
-    assert joint.prior.hits is not None
-    assert joint.prior.false_per_minute is not None
+    assert None not in (joint.prior.hits, joint.prior.false_per_minute)
 
 
 def test_the_own_map_is_kept_where_other_people_s_help_only_loses_hits(recorded, entry):

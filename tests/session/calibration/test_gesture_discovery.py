@@ -98,8 +98,7 @@ def test_steps_that_were_done_again_are_not_taken_for_those_behind_the_map(recor
         session = db.get_one(PatientSession, recorded.session)
         session.result = recorded.profile.model_copy(update={"created": "later"}).model_dump(mode="json")
         session.accepted = False
-    assert recorded.newest().source == "profile"
-    assert recorded.result().source == "recordings"
+    assert (recorded.newest().source, recorded.result().source) == ("profile", "recordings")
 
 
 def test_recordings_that_were_tidied_up_are_missed_in_words(recorded):

@@ -28,8 +28,8 @@ NOT_FILLED = {"log", "erased_patient", "last_id", "record_keeping", "backup_sett
 
 def fill(db: Session, patient: Patient, word: str) -> None:
     """Add one row to every table that refers to a patient, with `word` in each text of it."""
-    made: dict[str, dict[str, Any]] = {"patient": _row_of(db, Patient.__table__, patient.id)}
-    made["clinic"] = {"id": patient.clinic_id}
+    row = db.execute(sa.select(Patient.__table__).where(Patient.id == patient.id)).mappings().one()
+    made: dict[str, dict[str, Any]] = {"patient": dict(row), "clinic": {"id": patient.clinic_id}}
     owned = _owned_tables()
     for table in Table.metadata.sorted_tables:
         if table.name not in {*made, *NOT_FILLED}:
@@ -75,10 +75,6 @@ def _value(column: sa.Column[Any], made: dict[str, dict[str, Any]], word: str) -
     if isinstance(kind, sa.JSON):
         return {"word": word} if column.name not in {"files", "patients"} else []
     return True if isinstance(kind, sa.Boolean) else 1
-
-
-def _row_of(db: Session, table: Any, row_id: int) -> dict[str, Any]:
-    return dict(db.execute(sa.select(table).where(table.c.id == row_id)).mappings().one())
 
 
 def two_patients(settings: Settings, *words: str) -> list[int]:

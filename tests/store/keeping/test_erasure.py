@@ -53,9 +53,9 @@ class Filled:
         with self.database.transaction() as db:
             store_clocks(db)
 
-    def whats(self) -> list[str]:
+    def log(self) -> list[LogEntry]:
         with self.database.transaction() as db:
-            return [row.what for row in db.query(LogEntry).order_by(LogEntry.id)]
+            return list(db.query(LogEntry).order_by(LogEntry.id))
 
 
 @pytest.fixture
@@ -88,12 +88,9 @@ def test_an_erased_patient_leaves_no_row_and_no_file_and_the_log_says_so(filled:
     assert len(list(mentions(settings.state, STAYS))) > 5
     with closing(sqlite3.connect(settings.database)) as connection:
         assert connection.execute("PRAGMA foreign_key_check").fetchall() == []
-        assert json.loads(connection.execute("SELECT patients FROM person WHERE name = 'Rita'").fetchone()[0]) == [
-            filled.stays
-        ]
-    with filled.database.transaction() as db:
-        last = db.query(LogEntry).order_by(LogEntry.id.desc()).first()
-    assert last is not None
+        (patients,) = connection.execute("SELECT patients FROM person WHERE name = 'Rita'").fetchone()
+    assert json.loads(patients) == [filled.stays]
+    last = filled.log()[-1]
     assert (last.person, last.what, last.details["patient"]) == ("Ada", "patient erased", filled.goes)
     assert last.details["rows"]["trial"] == 1
     assert verify_log(settings.database).whole
@@ -105,7 +102,8 @@ def test_every_table_that_can_name_a_patient_was_filled(filled: Filled) -> None:
 
 
 def test_a_deleted_patient_is_in_no_query_until_the_deletion_is_undone(filled: Filled) -> None:
-    owned = [kind.class_ for kind in Table.registry.mappers if kind.class_.__tablename__ in _owned(filled)]
+    tables = rows_by_table(filled.settings.database, filled.goes)
+    owned = [kind.class_ for kind in Table.registry.mappers if kind.class_.__tablename__ in tables]
 
     def counts() -> dict[str, int]:
         with filled.database.transaction() as db:
@@ -122,10 +120,6 @@ def test_a_deleted_patient_is_in_no_query_until_the_deletion_is_undone(filled: F
         restore_patient(db, filled.goes)
         assert db.get(PatientSession, 1) is not None
     assert counts() == both
-
-
-def _owned(filled: Filled) -> set[str]:
-    return set(rows_by_table(filled.settings.database, filled.goes))
 
 
 def test_after_30_days_and_not_before_the_patient_is_erased(filled: Filled, monkeypatch: pytest.MonkeyPatch) -> None:
@@ -196,9 +190,8 @@ def test_who_is_part_of_an_incident_stays_until_the_mark_is_lifted(filled: Fille
     with filled.database.transaction() as db:
         lift_incident(db, incident, "The report is closed", "Ada")
     filled.erase(filled.goes)
-    assert filled.whats()[-2:] == ["incident mark lifted", "patient erased"]
-    with filled.database.transaction() as db:
-        lifted = db.query(LogEntry).where(LogEntry.what == "incident mark lifted").one()
+    lifted, erased = filled.log()[-2:]
+    assert (lifted.what, erased.what) == ("incident mark lifted", "patient erased")
     assert lifted.details == {"incident": incident}  # the words stay with the incident
 
 

@@ -77,11 +77,8 @@ def test_what_is_due_after_30_days_has_waited_as_many_counted_days(
             stamped, counted = reading.wall, 0.0
         wall = reading.wall + timedelta(days=set_by + days)
         gone_on = (wall - reading.wall) / timedelta(days=1)
-        reading = (
-            Reading(wall, 60.0, f"boot {number}")
-            if off
-            else replace(reading, wall=wall, count=reading.count + days * DAY)
-        )
+        still_on = replace(reading, wall=wall, count=reading.count + days * DAY)
+        reading = Reading(wall, 60.0, f"boot {number}") if off else still_on
         counted += min(max(gone_on, 0.0), 1.0) if off else days
         passed, _ = compare_clocks(passed, reading)
         if stamped is not None and passed.now >= stamped + timedelta(days=30):
@@ -101,7 +98,7 @@ def clocks(monkeypatch: pytest.MonkeyPatch) -> Any:
 @pytest.mark.parametrize("boot", [None, "another"])
 def test_a_start_with_a_clock_31_days_ahead_erases_nothing_and_says_so(filled: Any, clocks: Any, boot: Any) -> None:  # noqa: F811
     shelf = replaced_files(filled.settings)
-    (filled.settings.files).mkdir(exist_ok=True)
+    filled.settings.files.mkdir(exist_ok=True)
     (filled.settings.files / "again.csv").write_bytes(b"t\n0\n")
     shelf.shelve("file", filled.settings.files / "again.csv")
     now = passed_time._reading()
