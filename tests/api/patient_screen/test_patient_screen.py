@@ -85,7 +85,7 @@ def test_its_cookie_opens_no_other_route(screen: Clinic) -> None:
         for role in ("clinician", "patient") if "{role}" in path else ("",):
             url = f"{prefix}{filled(path, role=role, word='w' * 32)}"
             opens = name in FOR_PATIENTS_SCREENS and role == "patient"
-            for body in (None, {}):
+            for body in (None, dict[str, str]()):
                 status = screen.client.request(method, url, headers=ORIGIN, json=body).status_code
                 if status != (200 if opens else 401):
                     wrong.append((method, url, status))
