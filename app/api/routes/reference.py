@@ -26,7 +26,7 @@ from app.scoring.measures import (
 )
 from app.scoring.task_measures import LEADER_NEAR
 from app.scoring.verdict.measure_verdict import FEWEST
-from app.speed_limits import FIRST_SPEEDS, Speeds
+from app.speed_limits import FIRST_CHAIR_SPEEDS, Speeds
 from app.store.access.sign_ins import IDLE_FOR
 from app.store.files.replacements import KEPT_FOR
 from app.store.keeping.erasure import UNDO_FOR
@@ -67,7 +67,7 @@ class Numbers(Document):
     trials_for_verdict: int = FEWEST
     signal_to_noise: tuple[float, float] = SIGNAL_TO_NOISE_LIMITS  # from the first on strong, from the second on fair
     spread: tuple[float, float] = SPREAD_LIMITS  # of repetitions: up to the first well, up to the second fairly
-    first_speeds: Speeds = FIRST_SPEEDS  # that the form of a new chair proposes
+    first_speeds: Speeds = FIRST_CHAIR_SPEEDS  # that the form of a new chair proposes
     wall_thickness: float = FloorPlan.model_fields["wall_thickness"].default  # m, of a floor plan that does not give it
     cone_radius: float = Cone.model_fields["radius"].default  # m, of a new cone
     cone_height: float = Cone.model_fields["height"].default  # m
