@@ -25,7 +25,6 @@ SAME_SUBJECT = {
     "people": "of the clinic: kept, the routes, the command",
     "page_session": "the session that a page shows: the rule, the check of each request",
     "patients": "kept, the routes",
-    "plan_files": "floor plans of foreign files: read, the routes",
     "plans": "the clinic's own floor plans: kept, the routes",
     "qr": "a text as a QR code: for a page, for a terminal",
     "recorded": "a role of the hardware that repeats a recording: body, head",

@@ -5,7 +5,6 @@ from fastapi import APIRouter, FastAPI, Request
 from app.api.deps import ForEveryone
 from app.api.field_limits import Limits, field_limits
 from app.api.live.screen_socket import TAKEN
-from app.api.routes.plan_files import LARGEST
 from app.api.sign_in.passwords import SHORTEST
 from app.api.sockets import SIGNED_OUT
 from app.calibration.grades import SIGNAL_TO_NOISE_LIMITS, SPREAD_LIMITS
@@ -33,6 +32,7 @@ from app.store.keeping.erasure import UNDO_FOR
 from app.texts import Text
 from app.world.cursor_task import CursorPlan
 from app.world.floorplan import FloorPlan
+from app.world.imports.options import MOST_PLAN_BYTES
 from app.world.kinematics import CHAIR_RADIUS
 from app.world.scenery import Cone
 
@@ -81,7 +81,7 @@ class Numbers(Document):
     password_length: int = SHORTEST  # characters at least
     deleted_days: int = UNDO_FOR.days  # for which a deleted patient can be brought back
     replaced_days: int = KEPT_FOR.days  # for which what an upload replaced can be put back
-    upload_megabytes: int = LARGEST // 1_000_000  # of a file for a floor plan
+    upload_megabytes: int = MOST_PLAN_BYTES // 1_000_000  # of a file for a floor plan
 
 
 class Reference(Document):
