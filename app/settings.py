@@ -8,7 +8,7 @@ from dataclasses import dataclass, field
 from pathlib import Path
 from urllib.parse import urlsplit
 
-from app.network import NetworkService
+from app.network import HTTP_PORT, NetworkService
 
 ProxyNetwork = ipaddress.IPv4Network | ipaddress.IPv6Network
 PACKAGE = Path(__file__).parent
@@ -58,7 +58,7 @@ class Settings:
 
     state: Path = field(default_factory=state_folder)
     host: str = "127.0.0.1"
-    port: int = 8080
+    port: int = HTTP_PORT
     demo_code: str | None = field(default=None, repr=False)  # set: this is a demonstration
     setup_code: str | None = field(default=None, repr=False)  # for the first owner only
     proxy: ProxyNetwork | None = None  # set: requests come through a proxy of this network, and in no other way

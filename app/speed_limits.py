@@ -31,7 +31,7 @@ HIGHEST_SPEEDS = Speeds(**{name: limit["maximum"] for name, limit in Speeds.mode
 """The highest limits that a clinic or a chair can have."""
 
 
-FIRST_SPEEDS = Speeds(forward=0.5, turn=0.8, acceleration=0.6, turn_acceleration=4.0)
+FIRST_CHAIR_SPEEDS = Speeds(forward=0.5, turn=0.8, acceleration=0.6, turn_acceleration=4.0)
 """Limits that are proposed for a chair that nobody here has driven yet: an indoor walking pace."""
 
 

@@ -24,6 +24,7 @@ from app.settings import Settings
 from app.store.access.visible_patients import NOBODY, VISIBLE_PATIENTS
 from app.store.database import Database
 from app.texts import Text
+from app.world.imports.options import MOST_PLAN_BYTES
 
 # Our pages run only scripts of this program. The 3D view has its own policy (view_bridge.py).
 PAGE_POLICY = "; ".join(
@@ -62,7 +63,7 @@ BODY_LIMIT = 2_000_000  # bytes
 # Bytes by the beginning of the path: the largest file, plus the parts of its form.
 LIMITS = {
     "/api/v1/equipment/files": 65_000_000,
-    "/api/v1/floorplans/import": 41_000_000,  # a ROS map and its image
+    "/api/v1/floorplans/import": 2 * MOST_PLAN_BYTES + 1_000_000,  # a ROS map and its image
     "/api/v1/floorplans": 8_100_000,
     "/api/v1/models": 21_000_000,
     "/api/v1/archives": 8_000_000_000,  # a hundred hours of recordings

@@ -31,7 +31,7 @@ _COMMANDS = {
     "report": ("app.cli.records.report_command", "report"),
     "export": ("app.cli.records.export", "export"),
     "archive": ("app.cli.records.archive_command", "archive_app"),
-    "log": ("app.cli.log", "log_app"),
+    "log": ("app.cli.log_command", "log_app"),
     "backup": ("app.cli.records.backup_command", "backup"),
     "restore": ("app.cli.records.backup_command", "restore"),
     "incident": ("app.cli.records.incident_command", "incident"),

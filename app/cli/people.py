@@ -14,7 +14,7 @@ from app.cli.clinic_folder import open_clinic
 from app.cli.common_options import COMMAND_LINE, AsJson, State, settings_of
 from app.cli.errors import InputError
 from app.cli.qr import terminal_code
-from app.network import link
+from app.network import HTTP_PORT, link
 from app.refusals import Refusal
 from app.texts import Text, text_of
 
@@ -31,7 +31,6 @@ VisiblePatients = Annotated[
 ]
 Address = Annotated[str, typer.Option(help="The address of the pages, for the link; that of the running program.")]
 
-DEFAULT_PORT = 8080  # of `bodydrive serve`
 ROLES = ("owner", "clinician", "reviewer")
 
 people_app = typer.Typer(
@@ -169,7 +168,7 @@ def _change(name: str, state: Path | None, change: Callable[["Transaction", "Per
 
 
 def _print_link(name: str, invitation: "MadeInvitation", address: str) -> None:
-    base = address or link("http", "127.0.0.1", DEFAULT_PORT)
+    base = address or link("http", "127.0.0.1", HTTP_PORT)
     address_to_open = f"{base.rstrip('/')}/#invite={invitation.code}"
     typer.echo(terminal_code(address_to_open))
     typer.echo(Text("cli-invitation", name=name, time=invitation.expires))

@@ -8,6 +8,7 @@ from urllib.parse import urlsplit
 
 from app.cli.errors import InputError
 from app.hardware.addresses import checked_host
+from app.network import HTTP_PORT
 from app.settings import ProxyNetwork
 from app.texts import Text
 
@@ -28,7 +29,7 @@ def bind(host: str, port: int) -> socket.socket:
         listening = socket.create_server((host, port), family=family, backlog=128)
     except OSError as error:
         if error.errno == errno.EADDRINUSE:
-            next_port = port + 1 if port < 65_535 else 8080
+            next_port = port + 1 if port < 65_535 else HTTP_PORT
             raise InputError(Text("cli-port-busy", port=port, host=host, next=next_port)) from error
         if error.errno == errno.EACCES:
             raise InputError(Text("cli-port-of-system", port=port)) from error

@@ -16,7 +16,7 @@ from app.cli.errors import InputError
 from app.cli.port import bind, bind_here, proxy_network, public_name
 from app.clock import utc_now
 from app.files import write_atomically
-from app.network import link
+from app.network import HTTP_PORT, HTTPS_PORT, link
 from app.python_release import python_warning
 from app.realtime import collect_seldom
 from app.refusals import Refusal
@@ -33,7 +33,11 @@ Port = Annotated[int, typer.Option(min=0, max=65_535, help="The port to listen o
 Host = Annotated[str, typer.Option(help="The address to listen on, one of this machine alone.")]
 ServePort = Annotated[
     int | None,
-    typer.Option(min=0, max=65_535, help="The port to listen on: else 8080, and 8443 for https; 0 takes any free one."),
+    typer.Option(
+        min=0,
+        max=65_535,
+        help=f"The port to listen on: else {HTTP_PORT}, and {HTTPS_PORT} for https; 0 takes any free one.",
+    ),
 ]
 Hosts = Annotated[
     list[str] | None,
@@ -58,7 +62,7 @@ PATIENT = ("DEMO-1", "Kingfisher")
 NEWCOMER = ("DEMO-2", "Heron")
 
 
-def demo(port: Port = 8080, host: Host = "127.0.0.1", floorplans: Plans = None) -> None:
+def demo(port: Port = HTTP_PORT, host: Host = "127.0.0.1", floorplans: Plans = None) -> None:
     """Open a throw-away demonstration clinic: a simulated shirt, a patient, and the virtual chair."""
     collect_seldom()
     plans = [_floorplan(file) for file in floorplans or []]
@@ -105,7 +109,7 @@ def serve(
             listening = stack.enter_context(bind_local(port))
         else:  # a proxy on another machine, the only one that is answered, reaches an address of the network
             bind_to = bind_here if proxy is None else bind
-            listening = stack.enter_context(bind_to(first, 8080 if port is None else port))
+            listening = stack.enter_context(bind_to(first, HTTP_PORT if port is None else port))
         bound = int(listening.getsockname()[1])
         local_address = link("http", first, bound)
         write_address = stack.enter_context(lock_folder(folder))

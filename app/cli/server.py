@@ -8,7 +8,7 @@ import ssl
 import sys
 from contextlib import AbstractContextManager, nullcontext, suppress
 from functools import partial
-from typing import Literal
+from typing import Final, Literal
 
 import typer
 import uvicorn
@@ -41,6 +41,7 @@ from app.refusals import Refusal
 from app.settings import Settings
 from app.texts import Text, text_of
 
+LOG_LEVEL: Final = logging.WARNING  # what the log has from this level on goes to stderr
 PING_EVERY = 2.0  # s
 LAST_ANSWERS = 1  # s for requests under way when the program ends
 GOODBYE = 0.5  # s for telling the open pages
@@ -184,7 +185,7 @@ def run_clinic(
     `launch` is the first control process; where one is lost, another is started.
     """
     share_memory_areas()
-    logging.basicConfig(level=logging.WARNING, format="bodydrive: %(message)s", stream=sys.stderr)
+    logging.basicConfig(level=LOG_LEVEL, format="bodydrive: %(message)s", stream=sys.stderr)
     # These log connections of browsers only; errors of this program go to the logger "bodydrive".
     for name in ("uvicorn", "uvicorn.error", "websockets", "asyncio"):
         logging.getLogger(name).setLevel(logging.CRITICAL)

@@ -13,12 +13,13 @@ from typing import Literal
 
 from app.clock import Clock
 from app.disk_room import LITTLE_ROOM, ROOM_TO_RECORD
+from app.network import HTTP_PORT, HTTPS_PORT
 from app.settings import PACKAGE
 from app.texts import Figure, Text
 
 PERIOD = 0.01  # s: the loop's, when the shirt sends at 100 Hz
 FEW = 0.001  # share of late ticks that a drive does not feel
-PORTS = (8080, 8443)  # of the clinic, when nobody chooses others
+PORTS = (HTTP_PORT, HTTPS_PORT)
 FLUENT, TOO_FEW = 20.0, 10.0  # pictures a second; with fewer than the latter the 3D view is drawn coarser
 
 Verdict = Literal["good", "attention", "bad"]

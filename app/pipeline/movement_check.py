@@ -14,7 +14,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from app.calibration.profile import JointMap
-from app.calibration.steps import STEEPNESS, StepTimes, frames_per_check, step_times
+from app.calibration.signal_steps import STEEPNESS, StepTimes, frames_per_check, step_times
 from app.calibration.vocabulary import DriveParameters
 from app.pipeline.channel_health import SMALLEST_HALF_RANGE
 

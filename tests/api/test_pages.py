@@ -5,7 +5,7 @@ from typing import Any
 
 import pytest
 
-from app.api.routes.uploads import harmless_name
+from app.api.routes.signal_uploads import harmless_name
 
 
 def test_nothing_is_fetched_from_elsewhere(clinic: Any) -> None:

@@ -17,7 +17,7 @@ FLOOR_PLANS = ("editor.ftl: import", "uploads.ftl")
 SENTENCES = ("app/faults.py", "app/scoring", "app/calibration", "app/session", "app/store", "app/api", "app/source.py")
 ROWS_OF_THE_LOG = {"map adapted", "map taken back"}  # they are never changed, so that older rows have the same names
 ONLY_IN_EXPORTS = {"Smoothness: logarithmic dimensionless jerk"}
-DOCUMENTS = {"profile.py", "vocabulary.py", "prompts_file.py", "plan_files.py"}
+DOCUMENTS = {"profile.py", "vocabulary.py", "prompts_file.py"}
 
 
 def read_texts(run_script):

@@ -90,7 +90,7 @@ def test_missing_empty_and_too_large_files_are_refused(tmp_path, save, monkeypat
     document, _ = drawing()
     with pytest.raises(ValueError, match="no lines"):
         import_dxf(save(document))
-    monkeypatch.setattr(dxf_lines, "MOST_BYTES", 1000)
+    monkeypatch.setattr(dxf_lines, "MOST_PLAN_BYTES", 1000)
     with pytest.raises(ValueError, match="larger than"):
         import_dxf(save(document))
 

@@ -147,7 +147,7 @@ def test_a_picture_that_would_fill_the_memory_is_not_unpacked(tmp_path, width, h
 
 
 def test_a_file_that_is_too_large_is_refused(save, monkeypatch):
-    monkeypatch.setattr(image, "MOST_BYTES", 100)
+    monkeypatch.setattr(image, "MOST_PLAN_BYTES", 100)
     with pytest.raises(ValueError, match="larger than"):
         import_image(save(building()), width=10.0)
 

@@ -1,4 +1,7 @@
-"""The screen that started the trial or drive: when it goes out of view or is lost, the chair stops."""
+"""The screen of the person who started the trial or drive: when it goes out of view or is lost, the chair stops.
+
+It is not the patient's screen, whose silence is in `app/api/patient_screen/patient_socket.py`.
+"""
 
 from app.api.live.screen_pictures import ScreenPictures
 from app.api.live.screens import SILENCE_LIMIT, VIRTUAL_SILENCE_LIMIT, PageSign, Screen, Screens

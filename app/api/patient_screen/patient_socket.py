@@ -24,7 +24,7 @@ router = APIRouter()
 
 FLOOD = 40  # messages within ...
 WITHIN = 10.0  # s; our page sends one each second, and one when its picture changes
-SILENCE = 3.0  # s without a report, after which the screen counts as lost: it shows no current picture
+PATIENT_SCREEN_SILENCE = 3.0  # s without a report, after which the screen counts as lost: it shows no current picture
 MESSAGE_LIMIT = 300  # characters
 TOO_MANY_MESSAGES = 1008  # close code: our own page never sends so many
 
@@ -82,8 +82,8 @@ async def _receive(
 ) -> None:
     """Receive picture reports until the page leaves, or has sent more than `FLOOD` messages within 10 s.
 
-    A page that has reported once must go on: after `SILENCE` its connection is cut off, which halts the trial. A page
-    that the browser has put aside keeps its socket open, and shows nothing.
+    A page that has reported once must go on: after `PATIENT_SCREEN_SILENCE` its connection is cut off, which halts the
+    trial. A page that the browser has put aside keeps its socket open, and shows nothing.
     """
     count, since = 0, monotonic()
     limit: float | None = None
@@ -109,7 +109,7 @@ async def _receive(
             graphics.set_rate(websocket, report.pictures)
         if report.picture is None:
             continue
-        limit = SILENCE
+        limit = PATIENT_SCREEN_SILENCE
         if pictures.of_patient(screen_id, report.picture, websocket):
             live.notify("screens")
 

@@ -23,7 +23,7 @@ from app.api.deps import (
 )
 from app.api.page_session import OF_CLINIC, ClinicianInSession, any_session
 from app.api.parts import parts_for
-from app.api.routes.uploads import FileView, keep_upload, list_files
+from app.api.routes.signal_uploads import FileView, keep_upload, list_files
 from app.computing_process import ComputingProcess
 from app.hardware.configs import KINDS, AnyShirtConfig, BodyConfig, HeadConfig
 from app.hardware.shirt.kind import ShirtKind

@@ -11,7 +11,7 @@ from fastapi import APIRouter, HTTPException, Query, UploadFile
 from app.api.deps import Clinician, Db, ReadingsPart, ReplacedFilesPart, SettingsPart
 from app.api.foreign_files import refusal
 from app.api.page_session import OF_CLINIC, any_session
-from app.api.routes.uploads import harmless_name
+from app.api.routes.signal_uploads import harmless_name
 from app.quantities import Document
 from app.scene.models.objects import MOST_BYTES, read_isolated_into, stored_model
 from app.store.database import Database

@@ -9,7 +9,7 @@ from pydantic import ValidationError
 from app.api.answers import Answer
 from app.api.deps import Clinician, Db, OwnPlansPart, ReadingsPart, ReplacedFilesPart
 from app.api.page_session import OF_CLINIC, any_session
-from app.api.routes.plan_files import draft_of_uploads
+from app.api.routes.plan_uploads import draft_of_uploads
 from app.quantities import Document, Name
 from app.sentences import one_sentence
 from app.store.database import Database

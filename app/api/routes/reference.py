@@ -5,7 +5,6 @@ from fastapi import APIRouter, FastAPI, Request
 from app.api.deps import ForEveryone
 from app.api.field_limits import Limits, field_limits
 from app.api.live.screen_socket import TAKEN
-from app.api.routes.plan_files import LARGEST
 from app.api.sign_in.passwords import SHORTEST
 from app.api.sockets import SIGNED_OUT
 from app.calibration.grades import SIGNAL_TO_NOISE_LIMITS, SPREAD_LIMITS
@@ -26,13 +25,14 @@ from app.scoring.measures import (
 )
 from app.scoring.task_measures import LEADER_NEAR
 from app.scoring.verdict.measure_verdict import FEWEST
-from app.speed_limits import FIRST_SPEEDS, Speeds
+from app.speed_limits import FIRST_CHAIR_SPEEDS, Speeds
 from app.store.access.sign_ins import IDLE_FOR
 from app.store.files.replacements import KEPT_FOR
 from app.store.keeping.erasure import UNDO_FOR
 from app.texts import Text
 from app.world.cursor_task import CursorPlan
 from app.world.floorplan import FloorPlan
+from app.world.imports.options import MOST_PLAN_BYTES
 from app.world.kinematics import CHAIR_RADIUS
 from app.world.scenery import Cone
 
@@ -67,7 +67,7 @@ class Numbers(Document):
     trials_for_verdict: int = FEWEST
     signal_to_noise: tuple[float, float] = SIGNAL_TO_NOISE_LIMITS  # from the first on strong, from the second on fair
     spread: tuple[float, float] = SPREAD_LIMITS  # of repetitions: up to the first well, up to the second fairly
-    first_speeds: Speeds = FIRST_SPEEDS  # that the form of a new chair proposes
+    first_speeds: Speeds = FIRST_CHAIR_SPEEDS  # that the form of a new chair proposes
     wall_thickness: float = FloorPlan.model_fields["wall_thickness"].default  # m, of a floor plan that does not give it
     cone_radius: float = Cone.model_fields["radius"].default  # m, of a new cone
     cone_height: float = Cone.model_fields["height"].default  # m
@@ -81,7 +81,7 @@ class Numbers(Document):
     password_length: int = SHORTEST  # characters at least
     deleted_days: int = UNDO_FOR.days  # for which a deleted patient can be brought back
     replaced_days: int = KEPT_FOR.days  # for which what an upload replaced can be put back
-    upload_megabytes: int = LARGEST // 1_000_000  # of a file for a floor plan
+    upload_megabytes: int = MOST_PLAN_BYTES // 1_000_000  # of a file for a floor plan
 
 
 class Reference(Document):

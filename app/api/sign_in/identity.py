@@ -5,13 +5,13 @@ from dataclasses import dataclass
 from starlette.requests import HTTPConnection
 
 from app.api.sign_in.cookies import read_cookie
+from app.store.access.rights import DRIVERS
 from app.store.access.sign_ins import is_locked, signed_in, store_action
 from app.store.access.visible_patients import VisiblePatients, every_patient
 from app.store.database import Database
 from app.store.patient_screens import find_screen
 
 COOKIE = "bodydrive_sign_in"
-DRIVERS = frozenset({"owner", "clinician"})  # roles whose people change what drives; a reviewer reads and comments
 SCREEN_COOKIE = "bodydrive_screen"  # of a paired screen of the patient: it gives access to the patient's picture only
 
 

@@ -24,7 +24,7 @@ from app.calibration.fit.pca import JointPCA, angle_between
 from app.calibration.fit.repetitions import Repetition
 from app.calibration.gaps import Frames
 from app.calibration.grades import LARGEST_ANGLE
-from app.calibration.steps import STEEPNESS, steps_of
+from app.calibration.signal_steps import STEEPNESS, steps_of
 
 SPAN_FACTOR = 1.25  # of the free movement's span: prompts that go further than this set the span
 LARGEST_STEP = 0.3  # FS

@@ -10,15 +10,14 @@ from typing import TYPE_CHECKING
 from app.cli.errors import InputError
 from app.cli.port import bind_free
 from app.cli.qr import terminal_code
-from app.network import NetworkService
+from app.network import HTTP_PORT, HTTPS_PORT, NetworkService
 from app.refusals import Refusal
 from app.texts import Text, text_of
 
 if TYPE_CHECKING:
     from app.host.certificate import ServerCertificate
 
-HTTPS_PORT = 8443  # the same at every start: home screens and bookmarks keep it
-LOCAL_PORTS = (8080, 0)  # for this machine's own browser, first choice first
+LOCAL_PORTS = (HTTP_PORT, 0)  # for this machine's own browser, first choice first
 PAGE_PORTS = (80, 8081, 0)  # for the page that explains
 EVERY_ADDRESS = ("0.0.0.0", "::")  # noqa: S104  (over https, and the page that explains)
 

@@ -9,7 +9,7 @@ from app.hardware.base import HardwareError
 from app.messages import ALIVE, HeadPose
 from app.texts import Text
 
-SILENCE = 2.0  # s without a pose after which another sender is accepted
+HEAD_SENDER_SILENCE = 2.0  # s without a pose until another sender is accepted
 MOST = 64  # datagrams of one reading, so that a flood does not hold up the loop
 KERNEL_BUFFER = 1 << 16  # bytes
 
@@ -64,7 +64,7 @@ class UdpHead:
                 datagram, sender = self._socket.recvfrom(self._size + 1)  # one byte more shows what is too long
             except OSError:
                 break
-            if self._pose is not None and now - self._pose.t > SILENCE:
+            if self._pose is not None and now - self._pose.t > HEAD_SENDER_SILENCE:
                 self._sender = None
             pose = self._decode(datagram, now) if len(datagram) == self._size else None
             if pose is None or not all(map(math.isfinite, pose)):

@@ -35,7 +35,7 @@ from app.texts import Figure, Text, Value
 
 BUFFER = 2 * LONGEST  # bytes: room to notice a datagram that is too long
 KERNEL_BUFFER = 1 << 20  # bytes: one second of frames at 1 kHz, for a hold-up of the loop
-SILENCE = 2.0  # s without a frame: longer than a shirt may be silent while armed (S4)
+SHIRT_SENDER_SILENCE = 2.0  # s until another sender is accepted: longer than a shirt may be silent while armed (S4)
 WRITE_AHEAD = 10.0  # s of frames that one write of the newest frame's number allows
 _TIME = struct.Struct("@ll")  # struct timeval
 
@@ -151,7 +151,7 @@ class UdpShirt:
         if self._newest is not None and not self._newest.is_new(boot, packet[0]):
             self.repeated += 1
             return None
-        if not self.sender_choice.accept(self._sender, boot, now - self._frame_t > SILENCE):
+        if not self.sender_choice.accept(self._sender, boot, now - self._frame_t > SHIRT_SENDER_SILENCE):
             return None
         if self._newest is not None and not self._newest.accept(boot, packet[0]):
             return None

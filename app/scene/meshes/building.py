@@ -9,11 +9,12 @@ from numpy.typing import NDArray
 
 from app.scene.meshes import palette
 from app.scene.meshes.bodies import Mesh, Part, merged, quads, rectangle
+from app.scene.meshes.doors import doors_part
 from app.scene.meshes.furniture import ModelOf, furniture, no_model
 from app.scene.meshes.paint import Numbers, PaintedPart, joined, painted
 from app.scene.meshes.palette import Colour
 from app.scene.meshes.wall_shade import Pieces, corner_shade
-from app.scene.meshes.walls import doors_part, skirting_part, walls_part
+from app.scene.meshes.walls import skirting_part, walls_part
 from app.scene.task_marks import gap_parts
 from app.world.floorplan import FloorPlan
 from app.world.scenery import Dune

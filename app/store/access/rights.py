@@ -14,6 +14,9 @@ from app.store.patients import find_patient
 from app.texts import Text
 
 PersonRole = Literal["owner", "clinician", "reviewer"]
+# What each role may do; a route names the right that it needs (`app/api/deps.py`), also that of owners alone.
+DRIVERS: Final[frozenset[PersonRole]] = frozenset({"owner", "clinician"})
+"""Who may change what drives; a reviewer reads and comments."""
 EXPORTERS: Final[frozenset[PersonRole]] = frozenset({"owner", "clinician"})
 """Who may take reports and exports out of the clinic."""
 

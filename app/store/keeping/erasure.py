@@ -39,7 +39,7 @@ from app.store.tables import Patient, PatientSession, Run
 from app.texts import Text
 
 UNDO_FOR: Final = timedelta(days=30)  # a deleted patient can be brought back, and is then erased
-AFTER_30_DAYS = "30 days after the deletion"
+UNDO_ENDED: Final = f"{UNDO_FOR.days} days after the deletion"  # in the log; log.ftl translates it
 
 
 @dataclass(frozen=True, slots=True)
@@ -78,7 +78,7 @@ def erase_patient(database: Database, settings: Settings, patient_id: int, perso
         if why_not:
             raise Conflict(why_not)
         # The words of the reason may be about the patient, and go.
-        why = {"reason": AFTER_30_DAYS if person is None else "", "reason_given": bool(patient.deletion_reason)}
+        why = {"reason": UNDO_ENDED if person is None else "", "reason_given": bool(patient.deletion_reason)}
         # The tombstone comes first: if the program ended here, a restored backup would leave the patient out, too.
         now = utc_now()
         add_tombstones(settings.erased, [tombstone(patient_id, patient.created, now)])

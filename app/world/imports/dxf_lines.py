@@ -14,9 +14,9 @@ from ezdxf.math import Matrix44, Vec3
 from ezdxf.xclip import XClip
 
 from app.texts import Text, text_of
+from app.world.imports.options import MOST_PLAN_BYTES
 from app.world.imports.wall_pieces import Point
 
-MOST_BYTES: Final = 20_000_000
 MOST_ENTITIES: Final = 200_000  # visited; those in a block count each time the block is placed
 MOST_POINTS: Final = 400_000
 DEEPEST: Final = 16  # levels of blocks in blocks
@@ -76,14 +76,14 @@ def _document(file: Path) -> tuple[Drawing, int]:
     """Return the drawing, and the number of references to blocks that it does not have."""
     try:
         with file.open("rb") as opened:
-            content = opened.read(MOST_BYTES + 1)
+            content = opened.read(MOST_PLAN_BYTES + 1)
     except FileNotFoundError as error:
         raise ValueError(Text("plan-file-missing", file=str(file))) from error
     except OSError as error:
         reason = error.strerror or str(error)
         raise ValueError(Text("plan-file-unreadable", file=str(file), reason=reason)) from error
-    if len(content) > MOST_BYTES:
-        raise ValueError(Text("plan-drawing-large", file=str(file), most=MOST_BYTES // 1_000_000))
+    if len(content) > MOST_PLAN_BYTES:
+        raise ValueError(Text("plan-drawing-large", file=str(file), most=MOST_PLAN_BYTES // 1_000_000))
     if content[:2] == b"AC":
         raise ValueError(Text("plan-drawing-dwg", file=str(file)))
     if b"SECTION" not in content:

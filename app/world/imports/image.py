@@ -11,11 +11,10 @@ from app.texts import Figure, Text, text_of
 from app.world.imports.distances import joined
 from app.world.imports.draft import Draft
 from app.world.imports.map_draft import draft_of_map
-from app.world.imports.options import THRESHOLD
+from app.world.imports.options import MOST_PLAN_BYTES, THRESHOLD
 from app.world.imports.ros_map import OccupancyMap
 
 FORMATS: Final = ("PNG", "JPEG", "PPM")
-MOST_BYTES: Final = 20_000_000
 MOST_PIXELS: Final = 40_000_000
 MOST_CELLS: Final = 2_000_000
 FINEST: Final = (
@@ -76,8 +75,8 @@ def _pixels_per_cell(file: Path, rows: int, columns: int, scale: float) -> int:
 def _read(file: Path) -> NDArray[np.uint8]:
     """Return the grey values (rows, columns), transparent pixels as white."""
     try:
-        if file.stat().st_size > MOST_BYTES:
-            raise ValueError(Text("plan-picture-large", file=str(file), most=MOST_BYTES // 1_000_000))
+        if file.stat().st_size > MOST_PLAN_BYTES:
+            raise ValueError(Text("plan-picture-large", file=str(file), most=MOST_PLAN_BYTES // 1_000_000))
         with Image.open(file, formats=FORMATS) as image:
             if image.width * image.height > MOST_PIXELS:
                 raise ValueError(Text("plan-picture-pixels", file=str(file), most=MOST_PIXELS))

@@ -172,7 +172,7 @@ def test_a_screen_that_was_unpaired_or_left_in_an_earlier_trial_holds_nothing(re
 
 
 def test_a_patients_screen_that_falls_silent_halts_the_trial(ready: Any, monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr(patient_socket, "SILENCE", 0.2)
+    monkeypatch.setattr(patient_socket, "PATIENT_SCREEN_SILENCE", 0.2)
     with ready.socket("/patient/live") as socket:
         ready.start_trial(**WHERE)
         socket.send_json({"picture": "view"})  # and nothing after it
@@ -181,7 +181,7 @@ def test_a_patients_screen_that_falls_silent_halts_the_trial(ready: Any, monkeyp
 
 def test_a_patients_screen_that_falls_silent_is_out_of_reach(ready: Any, monkeypatch: pytest.MonkeyPatch) -> None:
     """A page that the browser has put aside keeps its socket, and the clinician's header called it connected."""
-    monkeypatch.setattr(patient_socket, "SILENCE", 0.2)
+    monkeypatch.setattr(patient_socket, "PATIENT_SCREEN_SILENCE", 0.2)
     with ready.socket("/patient/live") as socket:
         socket.send_json({"picture": "plan"})  # and nothing after it
         ready.until("/patient-screen", lambda now: now["screens"][0]["picture"] == "plan")

@@ -20,7 +20,7 @@ from app.hardware.chair.key import Key, new_key, read_key
 from app.hardware.shirt.newest_frame import newest_file
 from app.hardware.shirt.packet import decode, decode_signed, encode, refusal
 from app.hardware.shirt.sender import signed_frame
-from app.hardware.shirt.udp import SILENCE, UdpConfig, UdpShirt
+from app.hardware.shirt.udp import SHIRT_SENDER_SILENCE, UdpConfig, UdpShirt
 from app.session.equipment.pairing import pair_shirt, shirt_key_file
 
 WAIT = 2.0  # s
@@ -173,7 +173,7 @@ def test_another_address_with_the_key_waits_until_nothing_can_be_armed(begun):
     assert begun.takes(1, 5)  # which does not spoil the shirt's
     assert not begun.takes(2, 0, device=1)
     assert "frames of another sender" in str(begun.shirt.description())
-    begun.clock.time += SILENCE + 0.1
+    begun.clock.time += SHIRT_SENDER_SILENCE + 0.1
     begun.begin(2, 0, device=1)
     assert not begun.takes(1, 6)
     assert begun.shirt.lost <= 4

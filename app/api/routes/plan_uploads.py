@@ -10,11 +10,10 @@ from typing import Any
 from fastapi import HTTPException, UploadFile
 
 from app.api.foreign_files import OneAtATime, read_or_refuse
-from app.api.routes.uploads import harmless_name
+from app.api.routes.signal_uploads import harmless_name
 from app.texts import Text, current_language, from_document
-from app.world.imports.options import IMAGES, MAPS, SUFFIXES
+from app.world.imports.options import IMAGES, MAPS, MOST_PLAN_BYTES, SUFFIXES
 
-LARGEST = 20_000_000  # bytes
 LARGEST_MAP = 100_000  # bytes: a map's YAML file has six lines
 PICTURES = (*IMAGES, ".pgm")
 READER = "app.world.imports.plan_files"
@@ -54,11 +53,11 @@ def _keep(folder: Path, number: int, file: UploadFile) -> Path:
     suffix = Path(name).suffix
     if suffix not in (*SUFFIXES, *PICTURES):
         raise HTTPException(415, Text("api-wrong-plan-file", name=name, endings=", ".join((*SUFFIXES, ".pgm"))))
-    content = file.file.read(LARGEST + 1)
+    content = file.file.read(MOST_PLAN_BYTES + 1)
     if suffix in MAPS and len(content) > LARGEST_MAP:
         raise HTTPException(413, Text("api-map-too-large", name=name))
-    if len(content) > LARGEST:
-        raise HTTPException(413, Text("api-plan-too-large", name=name, megabytes=LARGEST // 1_000_000))
+    if len(content) > MOST_PLAN_BYTES:
+        raise HTTPException(413, Text("api-plan-too-large", name=name, megabytes=MOST_PLAN_BYTES // 1_000_000))
     own_folder = folder / str(number)
     own_folder.mkdir()
     (own_folder / name).write_bytes(content)

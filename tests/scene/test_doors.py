@@ -3,7 +3,7 @@
 import numpy as np
 import pytest
 
-from app.scene.meshes.walls import LEAF_CLEARANCE, LEAF_OFF_WALL, LEAF_THICKNESS, leaves_part
+from app.scene.meshes.doors import LEAF_CLEARANCE, LEAF_OFF_WALL, LEAF_THICKNESS, leaves_part
 from app.world.clearance import Clearance
 from app.world.floorplan import FloorPlan, bundled_floorplans, load_floorplan
 from app.world.scene import bundled_scenes, load_scene
