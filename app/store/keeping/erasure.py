@@ -39,7 +39,7 @@ from app.store.tables import Patient, PatientSession, Run
 from app.texts import Text
 
 UNDO_FOR: Final = timedelta(days=30)  # a deleted patient can be brought back, and is then erased
-UNDO_ENDED: Final = f"{UNDO_FOR.days} days after the deletion"  # in the log; log.ftl translates it
+UNDO_ENDED: Final = "30 days after the deletion"  # those of UNDO_FOR, in the log; log.ftl translates it
 
 
 @dataclass(frozen=True, slots=True)
