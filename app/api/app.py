@@ -164,7 +164,7 @@ def create_app(
 async def _read_languages() -> None:
     """Read the messages, English at once and the others after the first page, long before somebody drives.
 
-    It takes 0.3 s for each language, in which every turn of the event loop, so also a Stop, may be some ms late.
+    While a thread reads, a turn of the event loop, so also a Stop, may wait for Python to switch threads (5 ms).
     """
     for language in LANGUAGES:
         await asyncio.to_thread(load_language, language)

@@ -11,6 +11,7 @@ from app.store.tables import LogEntry
 
 VIEWED = "patient viewed"
 LISTED = "patients listed"
+SESSION_VIEWED = "session viewed"
 VIEWED_EVERY = timedelta(minutes=15)  # a page asks for a patient's records many times while somebody reads them
 HAS_NEW_ROWS = "logged"  # key in `Session.info`: rows were added, so the log's head must be written
 
@@ -48,6 +49,12 @@ def log_viewing(db: Session, person: str, patient: int) -> None:
     """Log that a person looks at the records of a patient, once in a quarter of an hour."""
     if not _is_logged(db, person, VIEWED, LogEntry.details["patient"].as_integer() == patient):
         write_log(db, person, VIEWED, patient=patient)
+
+
+def log_session_viewing(db: Session, person: str, patient: int, session: int) -> None:
+    """Log that a person looks at the record of a session, once in a quarter of an hour: a page reads it after news."""
+    if not _is_logged(db, person, SESSION_VIEWED, LogEntry.details["session"].as_integer() == session):
+        write_log(db, person, SESSION_VIEWED, patient=patient, session=session)
 
 
 def log_listing(db: Session, person: str) -> None:

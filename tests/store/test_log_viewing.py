@@ -10,7 +10,7 @@ from sqlalchemy import select
 from app.clock import utc_now
 from app.store import log
 from app.store.database import Database
-from app.store.log import VIEWED, VIEWED_EVERY, log_viewing, write_log
+from app.store.log import SESSION_VIEWED, VIEWED, VIEWED_EVERY, log_session_viewing, log_viewing, write_log
 from app.store.log_chain import verify_log
 from app.store.tables import LogEntry
 
@@ -54,3 +54,14 @@ def test_one_row_a_person_a_patient_and_a_quarter_of_an_hour(viewed: Viewed) -> 
 def test_a_clock_that_is_set_back_hides_no_viewing(viewed: Viewed) -> None:
     viewed(timedelta(0), "Ada", 1)
     assert viewed(-timedelta(hours=1), "Ada", 1)[-1] == ("Ada", 1, -timedelta(hours=1))
+
+
+def test_the_record_of_each_session_has_its_own_row(tmp_path: Path) -> None:
+    database = Database(tmp_path / "clinic.db")
+    for session in (1, 1, 2, 1):
+        with database.transaction() as db:
+            log_session_viewing(db, "Ada", 7, session)
+    with database.reading() as db:
+        rows = db.scalars(select(LogEntry.details).where(LogEntry.what == SESSION_VIEWED).order_by(LogEntry.id)).all()
+    database.close()
+    assert rows == [{"patient": 7, "session": 1}, {"patient": 7, "session": 2}]

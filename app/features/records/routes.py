@@ -17,7 +17,7 @@ from app.features.records.session_views import SessionRecordView, SessionRow, re
 from app.features.records.sign_off import require_unsigned, sign_off, sign_offs_of, unlock
 from app.quantities import Document, Finite, Line, Note, Title
 from app.store.database import Database, Transaction
-from app.store.log import log_viewing, write_log
+from app.store.log import log_session_viewing, log_viewing, write_log
 from app.store.origins import origins_of
 from app.store.patients import find_patient, find_session, sessions_of
 from app.store.session_contents import counted_by_session
@@ -80,7 +80,7 @@ def one_session(session_id: RowId, person: Anyone, database: Db) -> SessionRecor
     """
     with database.transaction(closing=True) as db:
         session = find_session(db, session_id)
-        write_log(db, person.name, "session viewed", patient=session.patient_id, session=session_id)
+        log_session_viewing(db, person.name, session.patient_id, session_id)
         return record_view(db, session)
 
 

@@ -15,7 +15,7 @@ from app.quantities import Document
 from app.scoring.interruptions import interruptions_of
 from app.store.database import Transaction
 from app.store.interface_tests import interface_tests_of_session
-from app.store.log import write_log
+from app.store.log import log_session_viewing
 from app.store.origins import origin_of
 from app.store.patients import find_session
 from app.store.session_contents import drives_of_session, trials_of_session
@@ -145,5 +145,5 @@ def story(session_id: RowId, person: Anyone, database: Db) -> StoryView:
     """Return what was done, changed and said in a session, in time order."""
     with database.transaction(closing=True) as db:
         session = find_session(db, session_id)
-        write_log(db, person.name, "session viewed", patient=session.patient_id, session=session_id)
+        log_session_viewing(db, person.name, session.patient_id, session_id)
         return story_view(db, session)

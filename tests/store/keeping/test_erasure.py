@@ -18,7 +18,14 @@ from app.refusals import Conflict, NotFound, Unavailable
 from app.settings import Settings
 from app.store.database import Database
 from app.store.keeping import erasure, passed_time
-from app.store.keeping.erasure import deleted_patients, erase_again, erase_due, erase_patient
+from app.store.keeping.erasure import (
+    UNDO_ENDED,
+    UNDO_FOR,
+    deleted_patients,
+    erase_again,
+    erase_due,
+    erase_patient,
+)
 from app.store.keeping.incidents import lift_incident, mark_incident
 from app.store.keeping.keeping_tables import ErasedPatient
 from app.store.keeping.owned_rows import foreign_keys
@@ -235,3 +242,7 @@ def test_years_are_counted_also_from_29_february() -> None:
     leap = datetime(2024, 2, 29, tzinfo=UTC)
     assert years_later(leap, 1) == datetime(2025, 3, 1, tzinfo=UTC)
     assert years_later(leap, 4) == datetime(2028, 2, 29, tzinfo=UTC)
+
+
+def test_the_log_says_after_how_many_days_a_deleted_patient_is_erased() -> None:
+    assert f"{UNDO_FOR.days} days after the deletion" == UNDO_ENDED

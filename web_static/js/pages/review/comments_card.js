@@ -2,15 +2,14 @@
  * The comments on moments of a trial, beside its replay: each leads to its moment, and its author can change it.
  * @import { App } from "../../main.js"
  * @import { CommentView } from "types/api"
- * @import { ComponentChildren } from "../../preact.js"
  * @import { PlayHead } from "./play_head.js"
  * @typedef {ReturnType<typeof commentStore>} CommentStore
  */
 import { newestAnswer } from "../../live/newest_answer.js";
-import { createRef, focusFirst, h, useComputed, useOpening, useRef, useSignal } from "../../preact.js";
+import { createRef, h, useComputed, useOpening, useRef } from "../../preact.js";
 import { limitsOf } from "../../reference.js";
+import { EarlierTexts, TextForm, useOpenForm } from "../../results/written_texts.js";
 import { t } from "../../texts.js";
-import { Field } from "../../widgets/fields.js";
 import { moment, number } from "../../widgets/format.js";
 import { go } from "./play_bar.js";
 
@@ -82,22 +81,17 @@ function Comment({ comment, store, head }) {
   const { id, person, is_own: isOwn, t: at, revisions } = comment;
   const { app, fresh, heading, change } = store;
   const isHere = useComputed(() => head !== null && Math.abs(at - head.t) < NEAR);
-  const isRevised = useSignal(false);
-  const wasRevised = useRef(false);
+  const { isOpen, open, close, buttonRef } = useOpenForm();
   const [newest, ...earlier] = revisions;
   const values = { t: number(at, 1), person };
-  const revise = () => (isRevised.value = wasRevised.current = true);
-  const close = () => void (isRevised.value = false);
   /** @param {string} text */
-  const send = async (text) => {
-    if (await change(() => app.api.put(`/comments/${id}`, { text }), t("comments-revised"))) close();
-  };
+  const send = (text) => change(() => app.api.put(`/comments/${id}`, { text }), t("comments-revised"));
   const withdraw = async () => {
     if (await change(() => app.api.remove(`/comments/${id}`), t("comments-withdrawn"))) heading.current?.focus();
   };
   const kind = isHere.value ? "is-here" : undefined;
-  if (isRevised.value) {
-    const form = { at, text: newest.text, action: t("comments-save"), send, onClose: close };
+  if (isOpen) {
+    const form = { ...formAt(at), text: newest.text, action: t("comments-save"), send, onClose: close };
     const button = h("button", { type: "button", class: "btn", onClick: withdraw }, t("comments-withdraw"));
     return h("li", { class: kind }, h(TextForm, form, button));
   }
@@ -106,8 +100,8 @@ function Comment({ comment, store, head }) {
     type: /** @type {const} */ ("button"),
     class: "btn bare small",
     "aria-label": t("comments-change-label", values),
-    ref: wasRevised.current ? focusFirst : null, // it has the focus again when the form closes
-    onClick: revise,
+    ref: buttonRef,
+    onClick: open,
   };
   return h(
     "li",
@@ -121,20 +115,10 @@ function Comment({ comment, store, head }) {
     ),
     h("p", { class: "own-words" }, newest.text),
     isOwn && h("button", reviseButton, t("comments-change")),
-    earlier.length > 0 &&
-      h(
-        "details",
-        {},
-        h("summary", {}, t("comments-history", { count: earlier.length })),
-        earlier.map(({ text, written }) =>
-          h(
-            "div",
-            { class: "earlier-text", key: written },
-            h("p", { class: "own-words" }, text),
-            h("p", { class: "quiet small" }, moment(written)),
-          ),
-        ),
-      ),
+    h(EarlierTexts, {
+      title: t("comments-history", { count: earlier.length }),
+      earlier: earlier.map(({ text, written }) => ({ text, written, byline: moment(written) })),
+    }),
   );
 }
 
@@ -169,64 +153,35 @@ function Moment({ head, comment: { t: at, person }, isHere }) {
  * @param {{store: CommentStore, head: PlayHead}} form
  */
 function NewComment({ store: { app, trial, change }, head }) {
-  const opened = useSignal(/** @type {{at: number} | null} */ (null));
-  const wasOpened = useRef(false);
-  const place = useOpening(opened.value, "textarea");
-  const open = () => {
+  const { isOpen, open, close, buttonRef } = useOpenForm();
+  const place = useOpening(isOpen, "textarea");
+  const at = useRef(0); // s: the moment that was shown when it was opened
+  const write = () => {
     head.pause();
-    wasOpened.current = true;
-    opened.value = { at: head.t };
+    at.current = head.t;
+    open();
   };
-  const close = () => void (opened.value = null);
-  if (!opened.value) {
-    const button = {
-      type: /** @type {const} */ ("button"),
-      class: "btn small",
-      ref: wasOpened.current ? focusFirst : null, // it has the focus again when the form closes
-      onClick: open,
-    };
+  if (!isOpen) {
+    const button = { type: /** @type {const} */ ("button"), class: "btn small", ref: buttonRef, onClick: write };
     return h("div", { ref: place }, h("button", button, t("comments-write")));
   }
-  const { at } = opened.value;
-  /** @param {string} text */
-  const send = async (text) => {
-    const isDone = await change(() => app.api.post(`/trials/${trial}/comments`, { t: at, text }), t("comments-added"));
-    if (isDone) close();
+  const { current: shown } = at;
+  const form = {
+    ...formAt(shown),
+    hint: t("comments-hint"),
+    action: t("comments-add"),
+    /** @param {string} text */
+    send: (text) => change(() => app.api.post(`/trials/${trial}/comments`, { t: shown, text }), t("comments-added")),
+    onClose: close,
   };
-  const form = { at, hint: t("comments-hint"), action: t("comments-add"), send, onClose: close };
   return h("div", { ref: place }, h(TextForm, form));
 }
 
-/**
- * A form of one text; it has the focus as soon as it appears.
- * @param {object} form
- * @param {number} form.at s of the trial @param {string} [form.hint] @param {string} [form.text] before
- * @param {string} form.action words of the button that sends
- * @param {(text: string) => unknown} form.send called with a text that is not empty @param {() => void} form.onClose
- * @param {ComponentChildren} [form.children] further buttons
- */
-function TextForm({ at, hint, text, action, send, onClose, children }) {
-  /** @param {SubmitEvent} event */
-  const submit = (event) => {
-    event.preventDefault();
-    const written = String(new FormData(/** @type {HTMLFormElement} */ (event.currentTarget)).get("text")).trim();
-    if (written) send(written);
-  };
-  const { longest } = limitsOf("NewComment", "text");
-  const input = { name: "text", rows: 3, maxlength: longest, required: true, defaultValue: text, ref: focusFirst };
-  return h(
-    "form",
-    { class: "stack", onSubmit: submit },
-    h(Field, { label: t("comments-text", { t: number(at, 1) }), hint }, h("textarea", input)),
-    h(
-      "div",
-      { class: "spread" },
-      h("button", { class: "btn" }, action),
-      h("button", { type: "button", class: "btn", onClick: onClose }, t("cancel")),
-      children,
-    ),
-  );
-}
+/** The words and the limit of the form for a comment. @param {number} at s of the trial */
+const formAt = (at) => ({
+  label: t("comments-text", { t: number(at, 1) }),
+  longest: limitsOf("NewComment", "text").longest,
+});
 
 /** Scroll back to the picture: on a phone the list stands far below it. */
 function showPicture() {

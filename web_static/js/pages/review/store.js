@@ -14,6 +14,7 @@ import { failureWords } from "../../api.js";
 import { newestAnswer } from "../../live/newest_answer.js";
 import { computed, signal } from "../../preact.js";
 import { entryOf, leadingMeasures, measured, measureNames } from "../../results/measures.js";
+import { withChoice } from "../../results/pair_choice.js";
 import { firstGroup } from "../../results/source_group.js";
 import { firstPath, keyOf, pathsOf } from "./path_choice.js";
 
@@ -134,13 +135,10 @@ export function reviewStore(app, { patients, patient, first, plans, unread }, na
     readChoice();
   };
   /**
-   * Choose a trial to compare, or not; a third trial takes the place of the first.
+   * Choose a trial to compare, or not.
    * @param {TrialView} trial @param {boolean} isChosen
    */
-  const chooseTrial = (trial, isChosen) => {
-    const others = pair.value.filter(({ id }) => id !== trial.id);
-    pair.value = isChosen ? [...others, trial].slice(-2) : others;
-  };
+  const chooseTrial = (trial, isChosen) => void (pair.value = withChoice(pair.value, trial, isChosen));
   const choices = { paths, path, trialsOfPath, group, measures, measure, pair };
   const actions = { read, choosePath, chooseMeasure, chooseGroup, chooseTrial };
   return { app, left, patients, patient, plans, unread, ...choices, review, trajectories, quality, ...actions };

@@ -8,6 +8,7 @@ import { h } from "../../preact.js";
 import { interruptionWords } from "../../results/interruptions.js";
 import { comparable, leadingMeasures, measured, nameOf, withUnit } from "../../results/measures.js";
 import { originWords } from "../../results/origin_words.js";
+import { PairLink } from "../../results/pair_choice.js";
 import { SourceCell } from "../../results/source_group.js";
 import { UnreadCount } from "../../results/unread_marks.js";
 import { t } from "../../texts.js";
@@ -89,26 +90,12 @@ function Row({ store: { patient, unread, pair, chooseTrial }, trial, names, isUs
 
 /** The link that compares the two trials that are ticked. @param {{store: ReviewStore}} comparison */
 function Comparison({ store: { patient, pair } }) {
-  const isReady = pair.value.length === 2;
   const [first, second] = [...pair.value].sort((a, b) => a.id - b.id);
-  return h(
-    "div",
-    { class: "spread compare-choice" },
-    h(
-      "a",
-      {
-        class: "btn",
-        href: isReady ? `#/review/${patient.id}/compare/${first.id}/${second.id}` : undefined,
-        "aria-disabled": !isReady || undefined,
-      },
-      t("compare-go"),
-    ),
-    h(
-      "span",
-      { class: "quiet", role: "status" },
-      isReady
-        ? t("compare-chosen", { first: first.number, second: second.number })
-        : t("compare-choose", { count: 2 - pair.value.length }),
-    ),
-  );
+  return h(PairLink, {
+    words: t("compare-go"),
+    href: second && `#/review/${patient.id}/compare/${first.id}/${second.id}`,
+    state: second
+      ? t("compare-chosen", { first: first.number, second: second.number })
+      : t("compare-choose", { count: 2 - pair.value.length }),
+  });
 }

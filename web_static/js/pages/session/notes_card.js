@@ -3,10 +3,10 @@
  * @import { NoteView } from "types/api"
  * @import { RecordStore } from "./store.js"
  */
-import { focusFirst, h, useLayoutEffect, useRef, useSignal } from "../../preact.js";
+import { h } from "../../preact.js";
 import { limitsOf } from "../../reference.js";
+import { EarlierTexts, TextForm, useOpenForm } from "../../results/written_texts.js";
 import { t } from "../../texts.js";
-import { Field } from "../../widgets/fields.js";
 import { moment } from "../../widgets/format.js";
 
 /** @param {{store: RecordStore}} card */
@@ -23,8 +23,9 @@ export function NotesCard({ store }) {
       notes.map((note) => h(Note, { key: note.id, note, store })),
       !notes.length && h("p", { class: "quiet" }, t("record-notes-none")),
     ),
-    h(NoteForm, {
+    h(TextForm, {
       label: t("record-note-new"),
+      longest: limitsOf("NoteText", "text").longest,
       action: t("record-note-add"),
       isOffered: mayChange.value,
       send: (text) => change(() => app.api.post(`/sessions/${id}/notes`, { text })),
@@ -34,29 +35,27 @@ export function NotesCard({ store }) {
 
 /** @param {{note: NoteView, store: RecordStore}} row */
 function Note({ note: { id, revisions }, store: { app, record, mayChange, change } }) {
-  const isRevised = useSignal(false);
-  const wasRevised = useRef(false);
+  const { isOpen, open, close, buttonRef } = useOpenForm();
   const [newest, ...earlier] = revisions;
   const when = { person: newest.person, moment: moment(newest.written) };
-  const revise = () => (isRevised.value = wasRevised.current = true);
-  const close = () => void (isRevised.value = false);
-  /** @param {string} text */
-  const send = async (text) => {
-    const isDone = await change(() => app.api.put(`/sessions/${record.value.id}/notes/${id}`, { text }));
-    if (isDone) close();
-    return isDone;
-  };
-  if (isRevised.value) {
-    const [label, action] = [t("record-note-text"), t("record-note-save")];
-    const form = h(NoteForm, { label, text: newest.text, action, isOffered: true, send, onClose: close });
-    return h("article", { class: "note-of-session" }, form);
+  if (isOpen) {
+    const form = {
+      label: t("record-note-text"),
+      text: newest.text,
+      longest: limitsOf("NoteText", "text").longest,
+      action: t("record-note-save"),
+      /** @param {string} text */
+      send: (text) => change(() => app.api.put(`/sessions/${record.value.id}/notes/${id}`, { text })),
+      onClose: close,
+    };
+    return h("article", { class: "note-of-session" }, h(TextForm, form));
   }
   const button = {
     type: /** @type {const} */ ("button"),
     class: "btn small",
     "aria-label": t("record-note-revise-label", when),
-    ref: wasRevised.current ? focusFirst : null, // it has the focus again when the form closes
-    onClick: revise,
+    ref: buttonRef,
+    onClick: open,
   };
   return h(
     "article",
@@ -68,62 +67,13 @@ function Note({ note: { id, revisions }, store: { app, record, mayChange, change
       h("span", { class: "quiet small grow" }, t(earlier.length ? "record-note-revised" : "record-note-by", when)),
       mayChange.value && h("button", button, t("record-note-revise")),
     ),
-    earlier.length > 0 &&
-      h(
-        "details",
-        {},
-        h("summary", {}, t("record-note-history", { count: earlier.length })),
-        earlier.map(({ text, person, written }) =>
-          h(
-            "div",
-            { class: "earlier-text", key: written },
-            h("p", { class: "own-words" }, text),
-            h("p", { class: "quiet small" }, t("record-note-by", { person, moment: moment(written) })),
-          ),
-        ),
-      ),
-  );
-}
-
-/**
- * @param {object} form
- * @param {string} form.label @param {string} [form.text] before
- * @param {string} form.action words of the button that sends
- * @param {boolean} form.isOffered otherwise the form stays only as long as something is typed in it
- * @param {(text: string) => Promise<boolean>} form.send called with a text that is not empty
- * @param {() => void} [form.onClose] of a form that was opened; without it the form stays
- */
-function NoteForm({ label, text = "", action, isOffered, send, onClose }) {
-  const draft = useSignal(text);
-  const input = useRef(/** @type {HTMLTextAreaElement | null} */ (null));
-  useLayoutEffect(() => {
-    if (onClose) input.current?.focus();
-  }, []);
-  if (!isOffered && !draft.value) return null;
-  /** @param {{currentTarget: HTMLTextAreaElement}} event */
-  const type = ({ currentTarget }) => (draft.value = currentTarget.value);
-  /** @param {SubmitEvent} event */
-  const submit = async (event) => {
-    event.preventDefault();
-    const written = draft.value.trim();
-    if (!written || !(await send(written)) || onClose) return;
-    draft.value = "";
-    input.current?.focus();
-  };
-  const { longest } = limitsOf("NoteText", "text");
-  return h(
-    "form",
-    { class: "stack", onSubmit: submit },
-    h(
-      Field,
-      { label },
-      h("textarea", { rows: 3, maxlength: longest, required: true, ref: input, value: draft.value, onInput: type }),
-    ),
-    h(
-      "div",
-      { class: "spread" },
-      h("button", { class: "btn" }, action),
-      onClose && h("button", { type: "button", class: "btn", onClick: onClose }, t("cancel")),
-    ),
+    h(EarlierTexts, {
+      title: t("record-note-history", { count: earlier.length }),
+      earlier: earlier.map(({ text, person, written }) => ({
+        text,
+        written,
+        byline: t("record-note-by", { person, moment: moment(written) }),
+      })),
+    }),
   );
 }

@@ -11,6 +11,7 @@ import { ConsentsCard } from "./consents_card.js";
 import { ExportCard } from "./export_card.js";
 import { drawWithLinks, StateTag } from "./frame.js";
 import { mayExport } from "../../results/report_choice.js";
+import { PairLink, withChoice } from "../../results/pair_choice.js";
 import { originWords } from "../../results/origin_words.js";
 import { UnreadCount, unreadComments } from "../../results/unread_marks.js";
 import { ShareCard } from "./share_card.js";
@@ -42,14 +43,9 @@ export async function show(app, root, { signal: left, rest: [, patient, part] })
  */
 function Page({ app, left, sessions, first, shares, unread }) {
   const consents = useSignal(first);
-  const chosen = useSignal(/** @type {number[]} */ ([])); // ids of the sessions to compare, at most two
+  const pair = useSignal(/** @type {SessionRow[]} */ ([])); // the sessions to compare, at most two
   const { patient_id: patient, code } = first;
   const isConsented = consents.value.consents.some(({ consent, given }) => consent === "sharing" && given);
-  /** A third session takes the place of the first. @param {number} id @param {boolean} isChosen */
-  const choose = (id, isChosen) => {
-    const others = chosen.value.filter((other) => other !== id);
-    chosen.value = isChosen ? [...others, id].slice(-2) : others;
-  };
   const shared = { app, left, patient, code, sessions, isConsented };
   return h(
     Fragment,
@@ -64,14 +60,14 @@ function Page({ app, left, sessions, first, shares, unread }) {
         h(Row, {
           key: session.id,
           session,
-          isChosen: chosen.value.includes(session.id),
-          onChoose: (isChosen) => choose(session.id, isChosen),
+          isChosen: pair.value.some(({ id }) => id === session.id),
+          onChoose: (isChosen) => (pair.value = withChoice(pair.value, session, isChosen)),
           unread,
         }),
       ),
       !sessions.length && h("p", { class: "card quiet" }, t("record-sessions-none")),
     ),
-    sessions.length > 1 && h(Comparison, { chosen: chosen.value }),
+    sessions.length > 1 && h(Comparison, { pair: pair.value }),
     shares && sessions.length > 0 && h(ShareCard, { ...shared, shares }),
     h("div", { class: "leaves" }, mayExport(app) && sessions.length > 0 && h(ExportCard, shared)),
   );
@@ -118,22 +114,13 @@ function Row({ session, isChosen, onChoose, unread }) {
   );
 }
 
-/** The link that compares two sessions, and how many are still to be ticked. @param {{chosen: number[]}} comparison */
-function Comparison({ chosen }) {
-  const missing = 2 - chosen.length;
-  const pair = [...chosen].sort((a, b) => a - b).join("/");
-  return h(
-    "div",
-    { class: "spread compare-choice" },
-    h(
-      "a",
-      {
-        class: "btn",
-        href: missing ? undefined : `#/session/compare/${pair}`,
-        "aria-disabled": missing > 0 || undefined,
-      },
-      t("record-compare"),
-    ),
-    h("span", { class: "quiet", role: "status" }, missing > 0 && t("record-compare-choose", { count: missing })),
-  );
+/** The link that compares two sessions, and how many are still to be ticked. @param {{pair: SessionRow[]}} comparison */
+function Comparison({ pair }) {
+  const missing = 2 - pair.length;
+  const ids = pair.map(({ id }) => id).sort((a, b) => a - b);
+  return h(PairLink, {
+    words: t("record-compare"),
+    href: missing ? undefined : `#/session/compare/${ids.join("/")}`,
+    state: missing ? t("record-compare-choose", { count: missing }) : "",
+  });
 }
