@@ -11,7 +11,7 @@ from app.calibration.gestures.ability import abilities
 from app.calibration.gestures.cross_check import hit_level
 from app.calibration.gestures.discovery import discover
 from app.calibration.gestures.evidence import gather_evidence
-from app.calibration.grades import CROSS_TALK_LIMIT
+from app.calibration.map_grades import CROSS_TALK_LIMIT
 from app.signals.columns import read_columns
 from app.signals.low_pass import smooth
 from app.signals.signals import read_signals
