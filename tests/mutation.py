@@ -17,10 +17,10 @@ from pathlib import Path
 from folders import ROOT
 
 REPORT = ROOT / "docs" / "mutation.md"
-MODULES = ("safety_gate", "person_brakes", "ramp", "shaping")
+MODULES = ("safety_gate", "person_brakes", "ramp", "shaping", "stop_ramp")
 TESTS = (
     *("test_safety_gate", "test_gate_states", "test_gate_levels", "test_person_brakes", "test_ramp", "test_shaping"),
-    "test_drive_modes",
+    *("test_stop_ramp", "test_drive_modes"),
 )
 LEAST_SCORE = 0.95
 STEPS = "1000000"

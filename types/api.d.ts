@@ -5882,12 +5882,6 @@ export interface components {
             can_redo: boolean;
             saved: string[];
             suggested: components["schemas"]["ControlsSuggestion"];
-            limits: {
-                [key: string]: [
-                    number,
-                    number
-                ];
-            };
             held: {
                 [key: string]: number;
             };

@@ -4,7 +4,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from app.calibration.linear_map import AVERAGING_TIMES, RATE_LAGS
-from app.signals.smoothing import slow_average, smooth
+from app.signals.low_pass import slow_average, smooth
 
 Array = NDArray[np.float64]
 

@@ -10,7 +10,7 @@ from app.texts import Text
 READY = 2.0  # s of countdown before each step
 REST = 3.0  # s
 FREE = 10.0  # s, as in the paper
-REPETITIONS = 3
+REPETITIONS = 3  # of each prompted movement
 MOVE = 1.0  # s
 RETURN = 1.5  # s: slower than the movement, so that the fit can tell the two apart
 WAY_BACK = RETURN / MOVE  # duration of the way back over that of the movement, also assumed where no cue gives it
@@ -33,7 +33,7 @@ class Step:
 
 
 def calibration_script(layout: ShirtLayout) -> tuple[Step, ...]:
-    """Return the steps for a shirt: rest, free movement, then each joint prompted three times."""
+    """Return the steps for a shirt: rest, free movement, then the prompts of each joint."""
     return (_rest(), _free(), *(_prompt(joint) for joint in layout.joints))
 
 
@@ -103,7 +103,7 @@ def _prompt(joint: Joint) -> Step:
         kind="prompt",
         joint=joint.name,
         title=movement_instruction(joint),
-        instruction=Text("calibration-prompt-instruction"),
+        instruction=Text("calibration-prompt-instruction", count=REPETITIONS),
         duration=cues[-1].end,
         cues=tuple(cues),
     )

@@ -10,7 +10,7 @@ from pydantic import Field, model_validator
 from app.calibration.profile import CalibrationProfile
 from app.messages import MAX_GESTURES
 from app.quantities import Cutoff, Document, Gain, Name, Threshold
-from app.signals.smoothing import STANDARD_CUTOFF
+from app.signals.low_pass import STANDARD_CUTOFF
 from app.speed_limits import Speeds
 from app.texts import Text
 

@@ -29,6 +29,7 @@ if TYPE_CHECKING:
     from app.session.run_flow import RunFlow
     from app.session.runs import SessionRuns
     from app.settings import Settings
+    from app.store.consent import Consent
     from app.store.database import Database
 
     MakeFlow = Callable[[Database, ControlLink, SessionRuns, Callable[[str], None], ComputingProcess], RunFlow[Any]]
@@ -52,7 +53,6 @@ EventKind = Literal[
     "unlock",
     "end",
 ]
-Consent = Literal["recording", "clinic_prior", "sharing"]
 Reason = Literal["drive", "deterioration", "halted", "comment", "unsigned", "absent"]
 
 
@@ -144,7 +144,7 @@ def _no_parts(_parts: "Parts") -> None:
     """Add nothing to the parts of the web process."""
 
 
-def _no_matter(_db: Session, _patient_id: int, _consent: Consent) -> None:
+def _no_matter(_db: Session, _patient_id: int, _consent: "Consent") -> None:
     """Leave everything as it is."""
 
 
@@ -187,9 +187,9 @@ class Feature:
     """Called with each transaction that begins: it may listen to what is written."""
     why_locked: Callable[[Session, int], Text | None] = _no_lock
     """Of a session: the sentence why nothing of it may be changed, None when it may."""
-    consented: Callable[[Consent], ColumnElement[bool]] | None = None
+    consented: "Callable[[Consent], ColumnElement[bool]] | None" = None
     """The condition that the patient of a query (`Patient`) has given a consent; None: it keeps no consents."""
-    consent_withdrawn: Callable[[Session, int, Consent], None] = _no_matter
+    consent_withdrawn: "Callable[[Session, int, Consent], None]" = _no_matter
     """Called when a patient has withdrawn a consent."""
     prior: "Callable[[Database], OthersPrior] | None" = None
     """Returns what is known of other people, for calibrations."""

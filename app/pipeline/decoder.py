@@ -7,13 +7,13 @@ from typing import Final
 import numpy as np
 from numpy.typing import NDArray
 
-from app.butterworth import low_pass
 from app.calibration.vocabulary import DriveParameters
 from app.pipeline.channel_health import ChannelHealth
 from app.pipeline.channel_substitution import ChannelSubstitution
 from app.pipeline.map_readings import MapReadings
 from app.pipeline.projection import projections
 from app.pipeline.return_doubt import BASELINE_TIME, ReturnDoubt
+from app.signals.butterworth import low_pass
 
 LONGEST_GAP: Final = 1.0  # s: a longer gap between two frames counts as this long
 

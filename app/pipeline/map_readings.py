@@ -12,9 +12,9 @@ import math
 import numpy as np
 from numpy.typing import NDArray
 
-from app.butterworth import Coefficients
 from app.calibration.linear_map import AVERAGING_TIMES, KINDS, RATE_LAGS
 from app.pipeline.projection import Projections
+from app.signals.butterworth import Coefficients
 
 Array = NDArray[np.float64]
 

@@ -14,6 +14,7 @@ from typing import Final, NamedTuple
 from app.faults import Fault, State
 from app.geometry import STANDSTILL, Twist
 from app.pipeline.shaping import forward_ramp, turn_ramp
+from app.pipeline.stop_ramp import STOP_DECELERATION, STOP_TURN_DECELERATION, stop_rate, towards_zero
 from app.speed_limits import Speeds
 
 NEUTRAL_TIME: Final = 0.5  # s at rest before motion (ISO 7176-14, control signal at switch-on)
@@ -29,9 +30,6 @@ SCREEN_SILENT: Final = 0.3  # s without a report of the screen that armed the ch
 CHAIR_SILENT: Final = 0.3  # s without telemetry, which comes every 0.1 s
 LOOP_STALL: Final = 0.3  # s between two ticks, as for a missing heartbeat
 BAD_GESTURES: Final = 2  # number of gestures with bad channels that ends the drive
-STOP_DECELERATION: Final = 3.0  # m/s2: the upper end of what powered chairs do
-STOP_TURN_DECELERATION: Final = 6.0  # rad/s2
-STOP_TIME: Final = 0.25  # s: longest stop from any permitted speed
 LARGEST_STEP: Final = 0.1  # s: a longer pause between two ticks counts as this long for motion and ramps
 
 
@@ -77,16 +75,6 @@ def shirt_limits(sample_rate: float) -> tuple[float, float]:
     if sample_rate >= SLOW_SHIRT:
         return SHIRT_STALE, SHIRT_SILENT
     return STALE_PERIODS / sample_rate, SILENT_PERIODS / sample_rate
-
-
-def stop_rate(speed: float, deceleration: float) -> float:
-    """Return the deceleration of a stop from `speed`: `deceleration`, or more where STOP_TIME needs it."""
-    return max(deceleration, abs(speed) / STOP_TIME)
-
-
-def towards_zero(speed: float, change: float) -> float:
-    """Return `speed` moved by `change` towards zero, at most to zero."""
-    return max(0.0, speed - change) if speed > 0 else min(0.0, speed + change)
 
 
 class SafetyGate:

@@ -7,7 +7,7 @@ from typing import Literal, NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from app.calibration.grades import EVR_LIMITS, LARGEST_ANGLE
+from app.calibration.map_grades import EVR_LIMITS, LARGEST_ANGLE
 from app.layout import joint_title, joint_within
 from app.scoring.control_quality import BadChannel
 from app.scoring.joint_quality import JointQuality

@@ -12,7 +12,7 @@ from app.calibration.profile import JointMap
 from app.layout import ShirtLayout
 from app.quantities import Count, Document, Fraction, Name, Title
 from app.scoring.command_counts import ON
-from app.signals.smoothing import STANDARD_CUTOFF, smooth
+from app.signals.low_pass import STANDARD_CUTOFF, smooth
 
 LEAST_TIME = 2.0  # s of usable signal; with less, no figure is computed
 LEAST_MOVEMENT = 2.0  # s of movement in a trial, about five strokes; with less, no direction is computed

@@ -19,7 +19,7 @@ from app.scoring.measures import TRIAL_MEASURES, Measure
 from app.scoring.trend import theil_sen
 from app.scoring.verdict.change_over_sessions import CourseChange, course_change
 from app.scoring.verdict.leading_measures import leading_of_task
-from app.scoring.verdict.measure_comparison import Row, Rows
+from app.scoring.verdict.measure_scales import Row, Rows
 from app.scoring.verdict.measure_verdict import ClinicSpreads
 from app.texts import Figure, Text, Value, in_sequence
 

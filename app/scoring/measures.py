@@ -7,6 +7,18 @@ new measure is one entry here and its computation. The order is that of pages, r
 from dataclasses import dataclass
 from typing import Any, Final, Literal
 
+from app.scoring.units import (
+    BITS_PER_SECOND,
+    DEGREES,
+    METRES,
+    METRES_PER_SECOND,
+    NUMBER,
+    PER_METRE,
+    PER_MINUTE,
+    SECONDS,
+    SHARE,
+    SQUARE_METRES,
+)
 from app.texts import Figure, Text, Value
 
 Scale = Literal["log", "root", "count", "plain"]
@@ -23,7 +35,7 @@ class Measure:
 
     name: Text  # on pages and reports
     unit: str  # "" for a plain number
-    ucum: str  # Unified Code for Units of Measure, as FHIR has it
+    ucum: str  # its code (units.py)
     digits: int  # behind the point
     scale: Scale = "plain"  # on which its noise does not depend on its level
     better: Better | None = None  # None: neither way is better, so there is no verdict
@@ -73,17 +85,11 @@ class Measure:
         return Text("measure-points", figure=figure, count=count) if self.unit == "%" else self.with_unit(figure)
 
 
-# Unit on screen, UCUM code, digits.
-COUNT: Final = ("", "1", 0)
-RATIO: Final = ("", "1", 2)
-SHARE: Final = ("%", "1", 0)
-METRES: Final = ("m", "m", 2)
-SECONDS: Final = ("s", "s", 1)
-
 TRIAL_MEASURES: Final[dict[str, Measure]] = {
     "stages_done": Measure(
         Text("measure-stages-done"),
-        *COUNT,
+        *NUMBER,
+        0,
         "count",
         "high",
         subject=Text("measure-stages-done-subject"),
@@ -94,21 +100,27 @@ TRIAL_MEASURES: Final[dict[str, Measure]] = {
     "follow_error_rms": Measure(
         Text("measure-follow-error-rms"),
         *METRES,
+        2,
         "log",
         "low",
         definition=Text("measure-follow-error-rms-definition"),
         subject=Text("measure-follow-error-rms-subject"),
     ),
     "follow_error_max": Measure(
-        Text("measure-follow-error-max"), *METRES, "log", "low", subject=Text("measure-follow-error-max-subject")
+        Text("measure-follow-error-max"), *METRES, 2, "log", "low", subject=Text("measure-follow-error-max-subject")
     ),
     "follow_near": Measure(
-        Text("measure-follow-near"), *SHARE, "plain", "high", factor=100.0, subject=Text("measure-follow-near-subject")
+        Text("measure-follow-near"),
+        *SHARE,
+        0,
+        "plain",
+        "high",
+        factor=100.0,
+        subject=Text("measure-follow-near-subject"),
     ),
     "heading_error_deg": Measure(
         Text("measure-heading-error-deg"),
-        "°",
-        "deg",
+        *DEGREES,
         0,
         "root",
         "low",
@@ -119,6 +131,7 @@ TRIAL_MEASURES: Final[dict[str, Measure]] = {
     "turn_drift": Measure(
         Text("measure-turn-drift"),
         *METRES,
+        2,
         "root",
         "low",
         subject=Text("measure-turn-drift-subject"),
@@ -126,7 +139,8 @@ TRIAL_MEASURES: Final[dict[str, Measure]] = {
     ),
     "cones_touched": Measure(
         Text("measure-cones-touched"),
-        *COUNT,
+        *NUMBER,
+        0,
         "count",
         "low",
         subject=Text("measure-cones-touched-subject"),
@@ -136,6 +150,7 @@ TRIAL_MEASURES: Final[dict[str, Measure]] = {
     "gap_clearance": Measure(
         Text("measure-gap-clearance"),
         *METRES,
+        2,
         "plain",
         "high",
         definition=Text("measure-gap-clearance-definition"),
@@ -143,7 +158,8 @@ TRIAL_MEASURES: Final[dict[str, Measure]] = {
     ),
     "door_contacts": Measure(
         Text("measure-door-contacts"),
-        *COUNT,
+        *NUMBER,
+        0,
         "count",
         "low",
         subject=Text("measure-door-contacts-subject"),
@@ -151,8 +167,7 @@ TRIAL_MEASURES: Final[dict[str, Measure]] = {
     ),
     "e_diff": Measure(
         Text("measure-e-diff"),
-        "m²",
-        "m2",
+        *SQUARE_METRES,
         2,
         "log",
         "low",
@@ -160,10 +175,13 @@ TRIAL_MEASURES: Final[dict[str, Measure]] = {
         of_whole=True,
         subject=Text("measure-e-diff-subject"),
     ),
-    "dist": Measure(Text("measure-dist"), *METRES, "log", "low", of_whole=True, subject=Text("measure-dist-subject")),
+    "dist": Measure(
+        Text("measure-dist"), *METRES, 2, "log", "low", of_whole=True, subject=Text("measure-dist-subject")
+    ),
     "time": Measure(
         Text("measure-time"),
         *SECONDS,
+        1,
         "log",
         "low",
         subject=Text("measure-time-subject"),
@@ -172,7 +190,8 @@ TRIAL_MEASURES: Final[dict[str, Measure]] = {
     ),
     "dist_ratio": Measure(
         Text("measure-dist-ratio"),
-        *RATIO,
+        *NUMBER,
+        2,
         "log",
         "low",
         subject=Text("measure-dist-ratio-subject"),
@@ -182,20 +201,22 @@ TRIAL_MEASURES: Final[dict[str, Measure]] = {
     "cross_track_rms": Measure(
         Text("measure-cross-track-rms"),
         *METRES,
+        2,
         "log",
         "low",
         definition=Text("measure-cross-track-rms-definition"),
         subject=Text("measure-cross-track-rms-subject"),
     ),
     "cross_track_max": Measure(
-        Text("measure-cross-track-max"), *METRES, "log", "low", subject=Text("measure-cross-track-max-subject")
+        Text("measure-cross-track-max"), *METRES, 2, "log", "low", subject=Text("measure-cross-track-max-subject")
     ),
     "mean_speed": Measure(
-        Text("measure-mean-speed"), "m/s", "m/s", 2, "log", subject=Text("measure-mean-speed-subject")
+        Text("measure-mean-speed"), *METRES_PER_SECOND, 2, "log", subject=Text("measure-mean-speed-subject")
     ),  # the person, the limits and the leader choose it
     "stops": Measure(
         Text("measure-stops"),
-        *COUNT,
+        *NUMBER,
+        0,
         "count",
         "low",
         subject=Text("measure-stops-subject"),
@@ -203,7 +224,8 @@ TRIAL_MEASURES: Final[dict[str, Measure]] = {
     ),
     "collisions": Measure(
         Text("measure-collisions"),
-        *COUNT,
+        *NUMBER,
+        0,
         "count",
         "low",
         subject=Text("measure-collisions-subject"),
@@ -212,6 +234,7 @@ TRIAL_MEASURES: Final[dict[str, Measure]] = {
     "contact_time": Measure(
         Text("measure-contact-time"),
         *SECONDS,
+        1,
         "root",
         "low",
         subject=Text("measure-contact-time-subject"),
@@ -219,7 +242,8 @@ TRIAL_MEASURES: Final[dict[str, Measure]] = {
     ),
     "turn_reversals": Measure(
         Text("measure-turn-reversals"),
-        *COUNT,
+        *NUMBER,
+        0,
         "count",
         "low",
         subject=Text("measure-turn-reversals-subject"),
@@ -227,8 +251,7 @@ TRIAL_MEASURES: Final[dict[str, Measure]] = {
     ),
     "pulses_per_metre": Measure(
         Text("measure-pulses-per-metre"),
-        "/m",
-        "/m",
+        *PER_METRE,
         1,
         "log",
         "low",
@@ -237,7 +260,8 @@ TRIAL_MEASURES: Final[dict[str, Measure]] = {
     ),
     "sparc": Measure(
         Text("measure-sparc"),
-        *RATIO,
+        *NUMBER,
+        2,
         "plain",
         "high",
         subject=Text("measure-sparc-subject"),
@@ -245,7 +269,8 @@ TRIAL_MEASURES: Final[dict[str, Measure]] = {
     ),
     "ldlj": Measure(
         Text("measure-ldlj"),
-        *RATIO,
+        *NUMBER,
+        2,
         "plain",
         "high",
         subject=Text("measure-ldlj-subject"),
@@ -255,31 +280,32 @@ TRIAL_MEASURES: Final[dict[str, Measure]] = {
 """The measures of a trial that are compared with those of other trials."""
 
 INTERRUPTIONS: Final[dict[str, Measure]] = {
-    "halts": Measure(Text("measure-halts"), *COUNT, definition=Text("measure-halts-definition")),
-    "halt_time": Measure(Text("measure-halt-time"), *SECONDS),
-    "pauses": Measure(Text("measure-pauses"), *COUNT, definition=Text("measure-pauses-definition")),
-    "pause_time": Measure(Text("measure-pause-time"), *SECONDS, definition=Text("measure-pause-time-definition")),
-    "person_stops": Measure(Text("measure-person-stops"), *COUNT, definition=Text("measure-person-stops-definition")),
-    "person_stop_time": Measure(Text("measure-person-stop-time"), *SECONDS),
+    "halts": Measure(Text("measure-halts"), *NUMBER, 0, definition=Text("measure-halts-definition")),
+    "halt_time": Measure(Text("measure-halt-time"), *SECONDS, 1),
+    "pauses": Measure(Text("measure-pauses"), *NUMBER, 0, definition=Text("measure-pauses-definition")),
+    "pause_time": Measure(Text("measure-pause-time"), *SECONDS, 1, definition=Text("measure-pause-time-definition")),
+    "person_stops": Measure(
+        Text("measure-person-stops"), *NUMBER, 0, definition=Text("measure-person-stops-definition")
+    ),
+    "person_stop_time": Measure(Text("measure-person-stop-time"), *SECONDS, 1),
 }
 """What interrupted a trial: exported with its measures, and never compared."""
 
 EXPORTED: Final = TRIAL_MEASURES | INTERRUPTIONS
 
 CIRCUMSTANCES: Final[dict[str, Measure]] = {
-    "path_length": Measure(Text("measure-path-length"), *METRES),
-    "cross_track_mean": Measure(Text("measure-cross-track-mean"), *METRES),
-    "stages": Measure(Text("measure-stages"), *COUNT),
-    "cones": Measure(Text("measure-cones"), *COUNT),
-    "gaps": Measure(Text("measure-gaps"), *COUNT),
+    "path_length": Measure(Text("measure-path-length"), *METRES, 2),
+    "cross_track_mean": Measure(Text("measure-cross-track-mean"), *METRES, 2),
+    "stages": Measure(Text("measure-stages"), *NUMBER, 0),
+    "cones": Measure(Text("measure-cones"), *NUMBER, 0),
+    "gaps": Measure(Text("measure-gaps"), *NUMBER, 0),
 }
 """Further numbers of a trial that say what its measures are of."""
 
 TEST_MEASURES: Final[dict[str, Measure]] = {
     "acquisitions_per_minute": Measure(
         Text("measure-acquisitions-per-minute"),
-        "",
-        "/min",
+        *PER_MINUTE,
         1,
         "root",
         "high",
@@ -288,8 +314,7 @@ TEST_MEASURES: Final[dict[str, Measure]] = {
     ),
     "throughput": Measure(
         Text("measure-throughput"),
-        "bit/s",
-        "bit/s",
+        *BITS_PER_SECOND,
         2,
         "log",
         "high",
@@ -298,8 +323,7 @@ TEST_MEASURES: Final[dict[str, Measure]] = {
     ),
     "first_entry": Measure(
         Text("measure-first-entry"),
-        "s",
-        "s",
+        *SECONDS,
         2,
         "log",
         "low",
@@ -308,8 +332,7 @@ TEST_MEASURES: Final[dict[str, Measure]] = {
     ),
     "dial_in": Measure(
         Text("measure-dial-in"),
-        "s",
-        "s",
+        *SECONDS,
         2,
         "root",
         "low",
@@ -319,6 +342,7 @@ TEST_MEASURES: Final[dict[str, Measure]] = {
     "path_efficiency": Measure(
         Text("measure-path-efficiency"),
         *SHARE,
+        0,
         "plain",
         "high",
         factor=100.0,

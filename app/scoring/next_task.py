@@ -5,7 +5,7 @@ from itertools import pairwise
 from typing import Literal, NamedTuple
 
 from app.scoring.measures import MeasureValues
-from app.scoring.verdict.measure_comparison import Rows
+from app.scoring.verdict.measure_scales import Rows
 from app.scoring.verdict.measure_verdict import ClinicSpreads, compare, series_of
 from app.source import SourceGroup
 from app.world.scene import DrivingPlace

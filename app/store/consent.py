@@ -3,18 +3,18 @@
 A feature keeps the consents (`app/features/consents/`). Without one nobody has consented to anything.
 """
 
-from typing import Final
+from typing import Final, Literal, get_args
 
 from sqlalchemy import ColumnElement, false, or_, select
 from sqlalchemy.orm import Session
 
-from app.features.registration import Consent as Consent  # noqa: PLC0414  (others import it from here)
 from app.features.registration import features
 from app.refusals import Conflict
 from app.store.tables import Patient
 from app.texts import Text
 
-CONSENTS: Final[tuple[Consent, ...]] = ("recording", "clinic_prior", "sharing")
+Consent = Literal["recording", "clinic_prior", "sharing"]
+CONSENTS: Final[tuple[Consent, ...]] = get_args(Consent)
 
 
 def consented(consent: Consent) -> ColumnElement[bool]:

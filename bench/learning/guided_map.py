@@ -21,8 +21,8 @@ from app.calibration.vocabulary import standard_parameters
 from app.layout import Channel, Joint, ShirtLayout
 from app.pipeline.replay.batch import decode_block
 from app.signals.columns import read_columns
+from app.signals.low_pass import STANDARD_CUTOFF, smooth
 from app.signals.signals import read_signals
-from app.signals.smoothing import smooth
 
 FOLDER = Path(__file__).parents[3] / "shared" / "data" / "knit_shirt"
 JOINTS = ("right_elbow", "left_elbow", "right_shoulder", "left_shoulder")
@@ -31,7 +31,6 @@ LAYOUT = ShirtLayout(
     channels=tuple(Channel(name=f"{joint}_{i}", joint=joint) for joint in JOINTS for i in range(5)),
     joints=tuple(Joint(name=joint, label=joint.replace("_", " ")) for joint in JOINTS),
 )
-CUTOFF = 3.0  # Hz: the measured angle is smoothed as the signals are
 RISING = 0.1  # of the angle's span per second: above it the joint moves up
 SHORTEST = 0.1  # s of a movement
 LARGE = 0.3  # of the angle's span: what is counted as a movement when hits are
@@ -56,7 +55,7 @@ class Knit:
         self.phases: dict[str, list[tuple[int, int, float]]] = {}  # first row, row after the last, share of the span
         for joint in JOINTS:
             angle = np.interp(self.t, signals.t, angles[joint].astype(np.float64))
-            smoothed = smooth(angle, CUTOFF, rate)
+            smoothed = smooth(angle, STANDARD_CUTOFF, rate)  # as the signals are
             rising = np.diff(smoothed, prepend=smoothed[0]) * rate / np.ptp(angle) > RISING
             edges = np.flatnonzero(np.diff(np.concatenate(([0], rising, [0]))))
             phases = [(a, b) for a, b in zip(edges[::2], edges[1::2], strict=True) if b - a > SHORTEST * rate]

@@ -13,8 +13,9 @@ import numpy as np
 import typer
 from numpy.typing import NDArray
 
-from app.scoring.verdict.measure_comparison import least_spread
-from app.scoring.verdict.measure_verdict import clinic_spreads, compare, noise_of, people_variances, series_of
+from app.scoring.verdict.detectable_change import noise_of
+from app.scoring.verdict.measure_scales import least_spread
+from app.scoring.verdict.measure_verdict import clinic_spreads, compare, people_variances, series_of
 from app.scoring.verdict.spread import Spread, own_spread, pool_spreads
 from bench.learning.words_told import print_deteriorations, print_levels, print_pages
 

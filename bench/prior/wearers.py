@@ -14,9 +14,8 @@ from app.calibration.profile import CalibrationProfile
 from app.calibration.vocabulary import standard_parameters
 from app.layout import ShirtLayout
 from app.pipeline.replay.batch import decode_block
-from app.signals.smoothing import smooth
+from app.signals.low_pass import STANDARD_CUTOFF, smooth
 
-CUTOFF = 3.0  # Hz: the measured movement is smoothed as the signals are, so that both lag by the same time
 RISING, STILL = 0.1, 0.03  # of the movement's span per second: above it the joint moves up, below it it is still
 SHORTEST_STROKE = 0.1  # s
 LARGE = 0.3  # of the span: what counts as a stroke
@@ -82,8 +81,8 @@ def prompted_stretches(wearer: Wearer, prompts: Sequence[Prompt], until: float |
 
 
 def movement_of(place: Array, sample_rate: float) -> Movement:
-    """Return what a joint does from its measured place (n,), in any unit."""
-    smoothed = smooth(place, CUTOFF, sample_rate)
+    """Return what a joint does from its measured place (n,), in any unit, smoothed as the signals: both lag equally."""
+    smoothed = smooth(place, STANDARD_CUTOFF, sample_rate)
     span = float(np.ptp(place))
     rate = np.diff(smoothed, prepend=smoothed[:1]) * sample_rate / span
     rising = rate > RISING

@@ -11,10 +11,10 @@ from app.calibration.gestures.ability import abilities
 from app.calibration.gestures.cross_check import hit_level
 from app.calibration.gestures.discovery import discover
 from app.calibration.gestures.evidence import gather_evidence
-from app.calibration.grades import CROSS_TALK_LIMIT
+from app.calibration.map_grades import CROSS_TALK_LIMIT
 from app.signals.columns import read_columns
+from app.signals.low_pass import smooth
 from app.signals.signals import read_signals
-from app.signals.smoothing import smooth
 from bench.learning.guided_map import FOLDER, JOINTS, LAYOUT, RISING
 
 RISING_SHARE = {"right_elbow": 0.85, "left_elbow": 0.97, "right_shoulder": 0.86, "left_shoulder": 0.96}

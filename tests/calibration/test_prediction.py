@@ -13,7 +13,7 @@ from app.calibration.gestures.prediction import (
     hit_probability,
     rest_statistics,
 )
-from app.signals.smoothing import smooth
+from app.signals.low_pass import smooth
 
 RATE = 100.0
 

@@ -5,8 +5,8 @@ import json
 import pytest
 from pydantic import ValidationError
 
-from app.calibration.grades import UNPROMPTED
 from app.calibration.linear_map import LinearMap, MapCheck
+from app.calibration.map_grades import UNPROMPTED
 from app.calibration.profile import CalibrationProfile, JointMap
 from app.calibration.vocabulary import standard_parameters
 from app.texts import Figure, Text

@@ -11,7 +11,8 @@ from app.geometry import Pose
 from app.hardware.chair.simulator import VirtualChair
 from app.messages import SensorFrame
 from app.pipeline.chain import Chain
-from app.pipeline.safety_gate import STOP_TIME, ChairCondition, Conditions
+from app.pipeline.safety_gate import ChairCondition, Conditions
+from app.pipeline.stop_ramp import STOP_TIME
 from app.speed_limits import HIGHEST_SPEEDS, Speeds
 from building import make_parameters, make_signals
 

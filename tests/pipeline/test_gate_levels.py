@@ -11,7 +11,7 @@ from pipeline.gates import DT, SPEEDS, armed_gate, moving_gate
 
 from app.faults import Fault, State
 from app.geometry import STANDSTILL, Twist
-from app.pipeline.safety_gate import BadGestures, Conditions, shirt_limits, stop_rate, towards_zero
+from app.pipeline.safety_gate import BadGestures, Conditions, shirt_limits
 from app.speed_limits import HIGHEST_SPEEDS, Speeds, apply_dial, most_restrictive
 
 SMALLEST = {"acceleration": 0.1, "deceleration": 0.1, "turn_acceleration": 0.1, "jerk": 0.5, "turn_jerk": 1.0}
@@ -115,14 +115,6 @@ def test_the_rates_are_what_the_speeds_did():
 )
 def test_the_shirt_s_limits_change_over_at_60_hz(rate, limits):
     assert shirt_limits(rate) == pytest.approx(limits)
-
-
-def test_the_way_to_standstill():
-    assert stop_rate(0.4, 3.0) == 3.0
-    assert stop_rate(-1.5, 3.0) == 6.0
-    assert towards_zero(0.5, 0.2) == pytest.approx(0.3)
-    assert towards_zero(-0.5, 0.2) == pytest.approx(-0.3)
-    assert towards_zero(0.1, 0.2) == towards_zero(-0.1, 0.2) == towards_zero(0.0, 0.2) == 0.0
 
 
 STEPS = int(os.environ.get("BODYDRIVE_GATE_STEPS", "100000"))  # `make safety` takes a million

@@ -14,12 +14,12 @@ from app.pipeline.safety_gate import (
     LOOP_STALL,
     NEUTRAL_PATIENCE,
     NEUTRAL_TIME,
-    STOP_TIME,
     WEB_SILENT,
     BadGestures,
     SafetyGate,
     shirt_limits,
 )
+from app.pipeline.stop_ramp import STOP_TIME
 
 anything = st.floats(allow_nan=True, allow_infinity=True)
 

@@ -31,7 +31,8 @@ from app.messages import SensorFrame
 from app.pipeline.chain import Chain
 from app.pipeline.channel_health import STUCK_TIME
 from app.pipeline.person_brakes import missing_brake
-from app.pipeline.safety_gate import STOP_TIME, Conditions
+from app.pipeline.safety_gate import Conditions
+from app.pipeline.stop_ramp import STOP_TIME
 from building import make_profile
 
 pytestmark = pytest.mark.uncompiled  # a chain is copied to look at what it would do

@@ -21,7 +21,7 @@ PURE_CHAIN = tuple(
         *("chain", "channel_health", "channel_substitution", "controls", "decoder", "map_readings"),
         *("person_brakes", "projection", "return_doubt"),
         "movement_check",
-        *("ramp", "safety_gate", "shaping"),
+        *("ramp", "safety_gate", "shaping", "stop_ramp"),
         "replay.batch",
     )
 )

@@ -1,5 +1,7 @@
 """The style sheets say each thing once: a selector stands once in a file, and a custom property is used.
 
+Layouts change at few widths.
+
 Where one reads from right to left, a page is the same in a mirror: no style names left or right where it means the
 side at which a line begins or ends.
 """
@@ -15,6 +17,8 @@ from app.settings import static_folder
 
 SHEETS = sorted((static_folder() / "css").rglob("*.css"))
 COMMENT = re.compile(r"/\*.*?\*/", re.DOTALL)
+ROW = re.compile(r"^   (\d+)px  ", re.MULTILINE)  # of the table of widths in tokens.css
+WIDTH = re.compile(r"\((min|max)-width: ?(\d+)px\)")  # in a media query
 
 # What stays where it is in each language: a reason, and its selectors by sheet ("": all of that sheet).
 PHYSICAL = {
@@ -97,6 +101,17 @@ def test_a_selector_stands_once_in_a_sheet(sheet: Path) -> None:
     selectors = [each for each in blocks(sheet.read_text()) if not each.rpartition(" / ")[2].startswith("@")]
     assert selectors
     assert [each for each, times in Counter(selectors).items() if times > 1] == []
+
+
+def test_a_layout_changes_at_the_widths_of_the_table_only() -> None:
+    table = {int(width) for width in ROW.findall((static_folder() / "css" / "tokens.css").read_text())}
+    used: set[int] = set()
+    for file in [*SHEETS, *(static_folder() / "js").rglob("*.js")]:
+        for end, width in WIDTH.findall(COMMENT.sub("", file.read_text())):
+            rows = table & {int(width), int(width) - (end == "min")}
+            assert rows, (file.name, width)
+            used |= rows
+    assert table == used  # no row without need
 
 
 def test_a_custom_property_that_is_set_is_used() -> None:

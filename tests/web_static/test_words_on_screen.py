@@ -7,7 +7,7 @@ from typing import get_args
 from cli.symbols import symbols_in
 from web_static.messages import WORDS, id_of, ids_of
 
-from app.calibration.grades import SIGNAL_TO_NOISE_LIMITS, SPREAD_LIMITS, repeats_word, signal_word
+from app.calibration.map_grades import SIGNAL_TO_NOISE_LIMITS, SPREAD_LIMITS, repeats_word, signal_word
 from app.features.registration import EventKind
 from folders import ROOT
 

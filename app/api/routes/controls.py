@@ -39,23 +39,6 @@ from app.texts import Text
 
 router = APIRouter(prefix="/controls", tags=["controls"])
 
-# Limits of the numbers on the page; enforced by the types in app/calibration/vocabulary.py.
-LIMITS: dict[str, tuple[float, float]] = {
-    "threshold": (0.0, 100.0),
-    "gain": (0.0, 5.0),
-    "cutoff": (1.0, 8.0),
-    "forward": (0.05, 1.5),
-    "reverse": (0.05, 1.5),
-    "turn": (0.05, 2.5),
-    "acceleration": (0.1, 3.0),
-    "deceleration": (0.1, 3.0),
-    "turn_acceleration": (0.1, 20.0),
-    "jerk": (0.5, 20.0),
-    "turn_jerk": (1.0, 400.0),
-    "cruise_time": (1.0, 30.0),
-    "turn_cruise_time": (1.0, 10.0),
-}
-
 
 class ControlSettings(Document):
     """A parameter set without its profile."""
@@ -93,7 +76,6 @@ class ControlsView(Document):
     can_redo: bool
     saved: list[str]
     suggested: ControlsSuggestion
-    limits: dict[str, tuple[float, float]]
     held: dict[str, float]  # the limits of the clinic or the chosen chair that are lower than the set's speeds
     obstacle: ObstacleView | None  # why this set cannot drive
 
@@ -150,7 +132,6 @@ class PatientControls:
             can_redo=after is not None,
             saved=saved_titles(db, patient_id),
             suggested=ControlsSuggestion(bindings=suggestion.bindings, reason=suggestion.reason),
-            limits=LIMITS,
             held=self.arming.lowered_speeds(parameters.speeds),
             obstacle=ObstacleView.of(self.session_flow.obstacle(parameters, simulated=profile.simulated)),
         )

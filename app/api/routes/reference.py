@@ -7,7 +7,7 @@ from app.api.field_limits import Limits, field_limits
 from app.api.live.screen_socket import TAKEN
 from app.api.sign_in.passwords import SHORTEST
 from app.api.sockets import SIGNED_OUT
-from app.calibration.grades import SIGNAL_TO_NOISE_LIMITS, SPREAD_LIMITS
+from app.calibration.map_grades import SIGNAL_TO_NOISE_LIMITS, SPREAD_LIMITS
 from app.faults import State
 from app.quantities import Document
 from app.scene.cameras import EyeSettings

@@ -2,6 +2,8 @@
 
 from dataclasses import dataclass
 
+from app.calibration.map_grades import EVR_LIMITS
+
 
 @dataclass(frozen=True, slots=True)
 class ChangeLimits:
@@ -9,7 +11,7 @@ class ChangeLimits:
 
     per_trial_deg: float = 2.0
     per_update_deg: float = 5.0
-    least_evr: float = 0.8
+    least_evr: float = EVR_LIMITS[0]
     largest_angle_deg: float = 30.0  # from the calibration's direction
     cross_talk_slack: float = 0.01  # smaller differences of the share are within chance
     warn: float = 0.05  # felt change from which on the proposal warns

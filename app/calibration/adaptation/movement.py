@@ -9,7 +9,7 @@ from numpy.typing import NDArray
 from app.calibration.gaps import fill_forward
 from app.calibration.profile import JointMap
 from app.calibration.vocabulary import DriveParameters, Gesture
-from app.signals.smoothing import smooth
+from app.signals.low_pass import smooth
 
 OWN_FACTOR = 2.0  # a movement is this joint's own when it is so many times as fast as any other joint's (rate / full)
 LONGEST_BREAK = 0.2  # s: shorter breaks, such as the turning point of a stroke, do not end a movement

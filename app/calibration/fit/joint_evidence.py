@@ -8,7 +8,7 @@ from numpy.lib.stride_tricks import sliding_window_view
 from numpy.typing import NDArray
 
 from app.calibration.fit.repetitions import Repetition
-from app.signals.smoothing import STANDARD_CUTOFF, smooth
+from app.signals.low_pass import STANDARD_CUTOFF, smooth
 
 LAG = 0.3  # s by which people move after the cue
 SETTLING = 0.3  # s within which the low-pass settles after its first sample

@@ -23,7 +23,7 @@ from app.calibration.fit.joint_evidence import (
 from app.calibration.fit.pca import JointPCA, angle_between
 from app.calibration.fit.repetitions import Repetition
 from app.calibration.gaps import Frames
-from app.calibration.grades import LARGEST_ANGLE
+from app.calibration.map_grades import LARGEST_ANGLE
 from app.calibration.signal_steps import STEEPNESS, steps_of
 
 SPAN_FACTOR = 1.25  # of the free movement's span: prompts that go further than this set the span

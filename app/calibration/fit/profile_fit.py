@@ -11,8 +11,8 @@ from app.calibration.fit.joint_evidence import cross_talk, signal_to_noise, with
 from app.calibration.fit.joint_fit import FittedJoint, fit_joint
 from app.calibration.fit.repetitions import Repetition
 from app.calibration.gaps import Frames
-from app.calibration.grades import JointMeasurements, grade
 from app.calibration.linear_map import LinearMap
+from app.calibration.map_grades import JointMeasurements, grade
 from app.calibration.profile import CalibrationProfile, JointMap
 from app.clock import utc_now
 from app.texts import Text

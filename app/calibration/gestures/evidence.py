@@ -11,7 +11,7 @@ from app.calibration.features import features
 from app.calibration.fit.joint_evidence import LAG, SETTLING
 from app.calibration.gaps import Frames
 from app.calibration.profile import CalibrationProfile, JointMap
-from app.signals.smoothing import STANDARD_CUTOFF, smooth
+from app.signals.low_pass import STANDARD_CUTOFF, smooth
 
 WAITING = 0.5  # s before a prompt, in which a person waits at rest
 

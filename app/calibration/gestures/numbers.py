@@ -5,7 +5,7 @@ from typing import Annotated, Literal
 
 from pydantic import Field
 
-from app.calibration.grades import CROSS_TALK_LIMIT, SIGNAL_TO_NOISE_LIMITS, SPREAD_LIMITS
+from app.calibration.map_grades import CROSS_TALK_LIMIT, SIGNAL_TO_NOISE_LIMITS, SPREAD_LIMITS
 from app.quantities import Document, Finite, Fraction, Name, Threshold
 
 NumberName = Literal["signal_to_noise", "repeatability", "cross_talk", "effort"]

@@ -5,7 +5,7 @@ from collections.abc import Mapping, Sequence
 from itertools import combinations
 
 from app.calibration.gestures.numbers import WORST_RATIO, FoundGesture, ratios
-from app.calibration.grades import CROSS_TALK_LIMIT, signal_strength
+from app.calibration.map_grades import CROSS_TALK_LIMIT, signal_strength
 from app.calibration.profile import CalibrationProfile
 from app.calibration.vocabulary import Binding, Control, Gesture
 from app.layout import ShirtLayout

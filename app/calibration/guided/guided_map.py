@@ -95,7 +95,7 @@ def _guided_map(joint: JointMap, stretches: Sequence[Stretch], rest: Array | Non
     pieces = [_piece(joint, stretch, sample_rate) for stretch in stretches]
     count = sum(len(piece.cued) for piece in pieces)
     if not joint.prompted or count == 0:
-        raise GuidedMapError(Text("calibration-guided-unprompted"))
+        raise GuidedMapError(Text("calibration-guided-unprompted", least=FEWEST))
     if count < FEWEST:
         raise GuidedMapError(Text("calibration-guided-few", count=count, least=FEWEST))
     pieces = [piece for piece in pieces if piece.cued]

@@ -15,7 +15,7 @@ from numpy.typing import NDArray
 
 from app.calibration.linear_map import Arrangement
 from app.calibration.prior.scale import log_ranges
-from app.signals.smoothing import STANDARD_CUTOFF, smooth
+from app.signals.low_pass import STANDARD_CUTOFF, smooth
 
 LARGEST_CORRELATION = 0.999  # keeps atanh finite
 SMALLEST_DEVIATION = 0.05  # of log ranges and of atanh of correlations: a few people differ less than all people do

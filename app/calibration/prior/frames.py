@@ -16,7 +16,7 @@ from app.calibration.fit.repetitions import Stretch
 from app.calibration.guided.labels import EARLIEST, LATEST, OWN_LAG, CuedMovement, labels
 from app.calibration.prior.moments import Moments
 from app.calibration.prior.solving import OwnFrames, solve_direction
-from app.signals.smoothing import STANDARD_CUTOFF, smooth
+from app.signals.low_pass import STANDARD_CUTOFF, smooth
 
 SHORTEST_CUE = 0.25  # s: a shorter cue covers a part of a movement only
 STILL = 0.5  # s before a stroke in which the channels move less than during it

@@ -16,9 +16,9 @@ from app.calibration.dead_zone import LEAST_PRIOR_SHARE, LEAST_RANGE
 from app.calibration.features import features
 from app.calibration.gestures.cross_check import hit_level
 from app.calibration.gestures.prediction import hit_probability
-from app.calibration.grades import UNPROMPTED
 from app.calibration.guided.check import MARGIN, SHORTEST_REST, at_rest, check
 from app.calibration.linear_map import KINDS, Arrangement, Forecast, LinearMap, MapCheck, map_parts
+from app.calibration.map_grades import UNPROMPTED
 from app.calibration.prior.arrangement import find_arrangement, ring_movement, sensors_at
 from app.calibration.prior.documents import FEWEST_PEOPLE
 from app.calibration.prior.frames import prompted_frames

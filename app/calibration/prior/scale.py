@@ -3,7 +3,7 @@
 import numpy as np
 from numpy.typing import NDArray
 
-from app.signals.smoothing import STANDARD_CUTOFF, smooth
+from app.signals.low_pass import STANDARD_CUTOFF, smooth
 
 RANGE = (5.0, 95.0)  # percentiles: a single large movement does not set the scale
 MOVEMENT = 10.0  # s of movement that the scale is taken from; a shorter one changes no scale

@@ -197,7 +197,7 @@ def _gesture_table(discovery: "Discovery") -> str:
 
 
 def _cells(gesture: "FoundGesture") -> list[object]:
-    from app.calibration.grades import repeats_word, signal_word
+    from app.calibration.map_grades import repeats_word, signal_word
 
     forecast = gesture.prediction
     return [

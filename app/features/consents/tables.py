@@ -19,7 +19,7 @@ class PatientConsent(Table):
     )
     id: Mapped[int] = mapped_column(primary_key=True)
     patient_id: Mapped[int] = mapped_column(ForeignKey("patient.id"), index=True)
-    consent: Mapped[str] = mapped_column(String(16))  # recording, clinic_prior, sharing
+    consent: Mapped[str] = mapped_column(String(16))  # one of CONSENTS (app/store/consent.py)
     given: Mapped[date] = mapped_column(Date)
     person: Mapped[str] = mapped_column(String(80))  # who wrote it down
     written: Mapped[datetime]

@@ -11,11 +11,11 @@ from app.features.exports.export_material import ExportMaterial
 from app.features.exports.recorded_runs import RecordedRun, RecordedTest, RecordedTrial
 from app.scoring.interface_test.interface_course import COMPLETE
 from app.scoring.measures import EXPORTED, TEST_MEASURES, Measure, is_number
+from app.scoring.units import UCUM
 from app.source import source_description
 from app.texts import Text
 from app.world.place_texts import place_text
 
-UCUM = "http://unitsofmeasure.org"
 MEASURE_CODES = "urn:bodydrive:measure"
 TEST_METHOD = Text("exports-method-test")
 TEST_DATA = {"system": "http://terminology.hl7.org/CodeSystem/v3-ActReason", "code": "HTEST"}  # nobody's health

@@ -6,7 +6,8 @@ from sqlalchemy.orm import Session
 
 from app.features.prior.entries import remove_entries
 from app.features.prior.tables import PriorEntry, PriorSwitch
-from app.features.registration import Consent, Feature
+from app.features.registration import Feature
+from app.store.consent import Consent
 
 if TYPE_CHECKING:
     from app.session.calibration.garment import OthersPrior

@@ -14,6 +14,7 @@ from app.settings import data_folder
 from app.texts import Text
 from app.visible_text import INVISIBLE, LINE_BREAKS
 
+FONT: Final = "Noto Sans"  # of Latin text, in drawings too; data/reports/report.typ names those for other characters
 COVERAGE: Final = "coverage.json"
 MOST_NAMED: Final = 12  # characters that are named
 

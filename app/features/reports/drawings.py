@@ -8,6 +8,7 @@ import math
 from collections.abc import Sequence
 from typing import Any, Final, NamedTuple
 
+from app.features.reports.characters import FONT
 from app.features.reports.document import Drawing, Tone
 from app.number_format import with_minus
 from app.scoring.measures import Measure
@@ -25,7 +26,6 @@ COLOURS: Final = {
     "good": "#2b6a34",
     "bad": "#b91c1c",
 }
-FONT: Final = "Noto Sans"
 
 Points = Sequence[tuple[float, float]]  # points on paper, y downwards
 

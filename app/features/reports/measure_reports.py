@@ -24,7 +24,7 @@ from app.scoring.measures import (
     Word,
 )
 from app.scoring.verdict.leading_measures import leading_of_task
-from app.scoring.verdict.measure_comparison import from_scale, value_of
+from app.scoring.verdict.measure_scales import from_scale, value_of
 from app.scoring.verdict.measure_verdict import Verdict, series_of
 from app.scoring.verdict.verdicts import SessionVerdicts, task_verdicts
 from app.source import source_description

@@ -12,7 +12,7 @@ from dataclasses import asdict, replace
 from html import escape
 from typing import Any, Final
 
-from app.features.reports.characters import Coverage, coverage_of_fonts, missing_text, printable
+from app.features.reports.characters import FONT, Coverage, coverage_of_fonts, missing_text, printable
 from app.features.reports.document import (
     LABELS,
     Drawing,
@@ -46,7 +46,7 @@ def render_pdf(report: Report, paper: Paper) -> bytes:
     pdf: bytes = typst.compile(
         data_folder() / "reports" / "report.typ",
         font_paths=fonts,
-        sys_inputs={"report": document, "paper": paper, "language": current_language()},
+        sys_inputs={"report": document, "paper": paper, "language": current_language(), "font": FONT},
         format="pdf",
     )
     return pdf

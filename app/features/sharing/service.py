@@ -1,4 +1,4 @@
-"""Share links: one session or the course of a patient, read only, for at most 14 days, with a PIN told otherwise.
+"""Share links: one session or the course of a patient, read only, for at most `MOST_DAYS`, with a PIN told otherwise.
 
 Token and PIN are never stored, only their hashes. A try at the PIN is counted before it is hashed, and a right one is
 taken back. After `MOST_WRONG_PINS` wrong tries a link is dead.
@@ -25,7 +25,7 @@ from app.texts import Text
 
 TOKEN_BYTES = 32
 PIN_DIGITS = 6
-MOST_DAYS = 14
+MOST_DAYS = 14  # that a link can be opened; pages read it as the limit of `NewShare`
 MOST_WRONG_PINS = 5
 MOST_LINKS = 20  # of one patient that can be opened at the same time
 VISIT = timedelta(hours=1)

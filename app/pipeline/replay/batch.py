@@ -27,14 +27,9 @@ from app.pipeline.decoder import LONGEST_GAP, Decoder
 from app.pipeline.projection import Projections, projections
 from app.pipeline.ramp import Ramp
 from app.pipeline.return_doubt import ReturnDoubt
-from app.pipeline.safety_gate import (
-    LARGEST_STEP,
-    STOP_DECELERATION,
-    STOP_TURN_DECELERATION,
-    stop_rate,
-    towards_zero,
-)
+from app.pipeline.safety_gate import LARGEST_STEP
 from app.pipeline.shaping import Cruise, Shaper, forward_ramp, turn_ramp
+from app.pipeline.stop_ramp import STOP_DECELERATION, STOP_TURN_DECELERATION, stop_rate, towards_zero
 
 Array = NDArray[np.float64]
 CHUNK = 5_000  # frames at once, so that the temporary arrays stay in the processor's cache

@@ -2,17 +2,17 @@
 
 import math
 from collections.abc import Mapping, Sequence
-from typing import Any, Final
+from typing import Any
 
 import numpy as np
 
 from app.quantities import Document
 from app.scoring.measures import LEADING_OF_TESTS, TEST_MEASURES
-from app.scoring.verdict.measure_comparison import least_spread, to_scale
-from app.scoring.verdict.measure_verdict import FEWEST, Difference, Verdict, variance_of, verdicts_on
+from app.scoring.verdict.detectable_change import LEVEL_OF_TESTS, variance_of
+from app.scoring.verdict.measure_scales import least_spread, to_scale
+from app.scoring.verdict.measure_verdict import FEWEST, Difference, Verdict, verdicts_on
 from app.scoring.verdict.spread import OwnSpread, Series, Variance, own_spread
 
-LEVEL: Final = 0.025  # of all words on two tests; a page compares the newest with the one before and with the first
 Tests = Sequence[Mapping[str, Any]]
 """In the order done; each has `number`, and measures by name."""
 
@@ -47,7 +47,7 @@ def _against(tests: Tests, place: int) -> InterfaceVerdicts:
     return InterfaceVerdicts(
         earlier=tests[place]["number"],
         later=tests[-1]["number"],
-        verdicts=verdicts_on(differences, LEADING_OF_TESTS, together=LEVEL)[0],
+        verdicts=verdicts_on(differences, LEADING_OF_TESTS, together=LEVEL_OF_TESTS)[0],
     )
 
 

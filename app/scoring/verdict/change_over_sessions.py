@@ -7,18 +7,17 @@ from typing import Final, NamedTuple
 import numpy as np
 
 from app.scoring.measures import TRIAL_MEASURES, Word
-from app.scoring.verdict.measure_comparison import Rows, least_spread
+from app.scoring.verdict.detectable_change import LEVEL_OF_COURSE, variance_of
+from app.scoring.verdict.measure_scales import Rows, least_spread
 from app.scoring.verdict.measure_verdict import (
     FEWEST,
     ClinicSpreads,
     Difference,
     difference_of,
     series_of,
-    variance_of,
 )
 from app.scoring.verdict.spread import Series, Sessions, Spread, Variance, course_spread, pool_spreads
 
-LEVEL: Final = 0.04  # of all measures that lead together (Bonferroni); docs/learning/verdicts.md shows others
 TESTS: Final = 2  # of each measure
 INFLATION: Final = 3.0  # (1 + r) / (1 - r) of the variance of a mean, with r = 0.5 between successive trials
 PARTS: Final = 3
@@ -87,7 +86,7 @@ def course_change(name: str, rows: Rows, leading: Sequence[str], clinic: ClinicS
     if not p_values:
         return CourseChange("too few", False, None)
     smallest, falls = min(p_values)
-    p_value, level = min(TESTS * smallest, 1.0), LEVEL / len(leading)
+    p_value, level = min(TESTS * smallest, 1.0), LEVEL_OF_COURSE / len(leading)
     word: Word = "within"
     if p_value <= level:
         word = "better" if falls == (TRIAL_MEASURES[name].better == "low") else "worse"

@@ -9,7 +9,7 @@ import numpy as np
 from app.scoring.measures import REACHED, TRIAL_MEASURES
 from app.scoring.verdict.cusum import normal_score
 from app.scoring.verdict.leading_measures import leading_of_task
-from app.scoring.verdict.measure_comparison import Rows, least_spread
+from app.scoring.verdict.measure_scales import Rows, least_spread
 from app.scoring.verdict.measure_verdict import series_of
 from app.scoring.verdict.reaching import Counts, counts_of, fewer_than_foretold
 from app.scoring.verdict.spread import Series, Spread, fit_curve, own_spread, pool_spreads

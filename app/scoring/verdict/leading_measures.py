@@ -3,7 +3,7 @@
 from typing import Final
 
 from app.scoring.measures import LEADING, TRIAL_MEASURES
-from app.scoring.verdict.measure_comparison import Row, Rows
+from app.scoring.verdict.measure_scales import Row, Rows
 
 MOST_LEADING: Final = 3
 

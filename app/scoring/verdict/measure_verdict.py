@@ -9,7 +9,8 @@ from numpy.typing import NDArray
 
 from app.quantities import Document
 from app.scoring.measures import TRIAL_MEASURES, Word
-from app.scoring.verdict.measure_comparison import (
+from app.scoring.verdict.detectable_change import LEVEL_OF_TRIALS, detectable_change, variance_of
+from app.scoring.verdict.measure_scales import (
     Rows,
     from_scale,
     least_spread,
@@ -19,7 +20,6 @@ from app.scoring.verdict.measure_comparison import (
     with_missed,
 )
 from app.scoring.verdict.spread import (
-    OwnSpread,
     PersonVariances,
     Series,
     Spread,
@@ -31,8 +31,6 @@ from app.scoring.verdict.spread import (
 )
 
 FEWEST = 5  # trials up to and with the later ones
-LEAST_DF = 2.0  # degrees of freedom that a spread needs; without a clinic's median, one session has none
-CONFIDENCE = 0.95
 
 ClinicSpreads = Mapping[str, Spread]
 PeopleVariances = dict[str, dict[int, PersonVariances]]
@@ -47,13 +45,6 @@ class Verdict(Document):
     low: float | None  # from here to `high`, a later mean is within noise; None: too few trials, or no word
     high: float | None
     trials: int  # up to and with the later ones that were compared
-
-
-class Noise(NamedTuple):
-    """The smallest difference that is not noise, on the measure's scale."""
-
-    mdc: float
-    df: float  # degrees of freedom of the variance behind it
 
 
 class Difference(NamedTuple):
@@ -73,32 +64,6 @@ class Difference(NamedTuple):
             return None
         ratio = abs(self.later - self.earlier) / math.sqrt(max(self.variance.value, 1e-300))
         return float(2 * stdtr(self.variance.df, -ratio))
-
-
-def variance_of(spread: OwnSpread, trials: tuple[int, int], sessions: tuple[int, int] | None) -> Variance | None:
-    """Return the variance of the difference between the means of two sets of trials; None with few degrees of freedom.
-
-    `sessions` is None where both sets are of one session.
-    """
-    between = 0.0 if sessions is None else 1 / sessions[0] + 1 / sessions[1]
-    total = spread.of_difference(between, 1 / trials[0] + 1 / trials[1])
-    return None if total.df < LEAST_DF else total
-
-
-def noise_of(spread: OwnSpread, earlier: int, later: int, *, same_session: bool) -> Noise | None:
-    """Return the minimal detectable change (95 %) between means of `earlier` and of `later` trials of a session each.
-
-    It is t sqrt(2 s_session^2 + s_trial^2 (1 / earlier + 1 / later)), without the first term within one session. t is
-    the quantile of Student's t at the degrees of freedom of the sum. None where these are fewer than 2.
-    """
-    total = variance_of(spread, (earlier, later), None if same_session else (1, 1))
-    return None if total is None else Noise(_mdc(total, 1 - CONFIDENCE), total.df)
-
-
-def _mdc(variance: Variance, level: float) -> float:
-    from scipy.special import stdtrit
-
-    return float(stdtrit(variance.df, 1 - level / 2)) * math.sqrt(variance.value)
 
 
 def series_of(rows: Rows, name: str) -> tuple[Series, NDArray[np.int64]]:
@@ -177,7 +142,7 @@ def verdicts_on(
     differences: Mapping[str, Difference],
     leading: Sequence[str],
     others: Mapping[str, float] | None = None,
-    together: float = 1 - CONFIDENCE,
+    together: float = LEVEL_OF_TRIALS,
 ) -> tuple[dict[str, Verdict], dict[str, float]]:
     """Return the verdicts on differences, and the levels of `others`, p-values that are judged together with them.
 
@@ -200,7 +165,7 @@ def _verdict(name: str, difference: Difference, level: float | None, is_leading:
         return Verdict(word=word, low=None, high=None, trials=difference.trials, **figures)
     direction = measure_of(name).better
     assert direction is not None
-    mdc = _mdc(difference.variance, level)
+    mdc = detectable_change(difference.variance, level)
     low, high = from_scale(name, difference.earlier - mdc), from_scale(name, difference.earlier + mdc)
     word = verdict_word(difference.later - difference.earlier, mdc, direction)
     return Verdict(word=word, low=low, high=high, trials=difference.trials, **figures)

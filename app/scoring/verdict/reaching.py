@@ -7,7 +7,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from app.scoring.measures import REACHED, Word
-from app.scoring.verdict.measure_comparison import Rows
+from app.scoring.verdict.measure_scales import Rows
 from app.scoring.verdict.measure_verdict import FEWEST, Verdict
 
 USUAL_DISPERSION: Final = 1.5  # variance of a session's count over the binomial one, where nothing is known of a person

@@ -6,7 +6,7 @@ import numpy as np
 
 from app.quantities import Document
 from app.scoring.measures import REACHED, TRIAL_MEASURES
-from app.scoring.verdict.measure_comparison import Rows, from_scale, to_scale, value_of
+from app.scoring.verdict.measure_scales import Rows, from_scale, to_scale, value_of
 from app.scoring.verdict.measure_verdict import ClinicSpreads, Verdict, series_of
 from app.scoring.verdict.verdicts import session_verdicts
 

@@ -1,6 +1,6 @@
 """How far a person's trials differ without a change: within a session, and from one session to the next.
 
-All values are on the scale of their measure (`measure_comparison.py`).
+All values are on the scale of their measure (`measure_scales.py`).
 """
 
 import math

@@ -1,21 +1,17 @@
 """The verdicts of a person's trials in one task: one trial against an earlier one, a session against earlier ones."""
 
 from collections.abc import Collection, Mapping
-from typing import Final
 
 from app.quantities import Document
 from app.scoring.measures import REACHED, TRIAL_MEASURES
+from app.scoring.verdict.detectable_change import LEVEL_OF_SESSIONS
 from app.scoring.verdict.deterioration import deteriorations
 from app.scoring.verdict.leading_measures import leading_of_task
-from app.scoring.verdict.measure_comparison import Rows, value_of
+from app.scoring.verdict.measure_scales import Rows, value_of
 from app.scoring.verdict.measure_verdict import FEWEST, ClinicSpreads, Verdict, difference_of, series_of, verdicts_on
 from app.scoring.verdict.reaching import counts_of, family_of, reaching_difference, reaching_verdict
 from app.scoring.verdict.spread import Series
 from app.texts import Text
-
-# Of all words on two sessions. A page compares the newest with the one before and with the first, and has a sentence on
-# all sessions (`change_over_sessions.py`): together 5 %.
-LEVEL_OF_SESSIONS: Final = 0.015
 
 
 class TrialVerdicts(Document):

@@ -4,7 +4,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from app.calibration.fit.profile_fit import joints_without_map
-from app.calibration.grades import SIGNAL_TO_NOISE_LIMITS, UNPROMPTED
+from app.calibration.map_grades import SIGNAL_TO_NOISE_LIMITS, UNPROMPTED
 from app.calibration.profile import CalibrationProfile, JointMap
 from app.calibration.script import Step
 from app.texts import Figure, Text, in_sequence

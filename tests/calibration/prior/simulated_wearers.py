@@ -11,7 +11,7 @@ from app.calibration.fit.repetitions import Stretch
 from app.calibration.prior.documents import OwnPrior
 from app.calibration.prior.entry import person_entry
 from app.layout import Channel, Joint, ShirtLayout
-from app.signals.smoothing import slow_average
+from app.signals.low_pass import slow_average
 
 RATE = 50.0
 LINEAR = np.array([1.0, -0.5, 0.8, 0.25, -0.9])

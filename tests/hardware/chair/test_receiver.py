@@ -9,7 +9,7 @@ from app.hardware.chair.link_texts import reason_text
 from app.hardware.chair.packet import DRIVE, STOP, VIRTUAL
 from app.hardware.chair.reasons import DESCRIPTIONS, Reason
 from app.hardware.chair.receiver import Receiver, ReceiverState
-from app.pipeline import safety_gate
+from app.pipeline import stop_ramp
 
 DISARMED, CHECKING, ARMED, FAULT = ReceiverState
 STANDS = (0.0, 0.0)
@@ -146,7 +146,7 @@ def test_every_disarming_ends_the_epoch_and_says_why_and_only_a_new_arming_drive
     assert not any(chair.receiver.accept(frame, chair.t) for frame in recorded)
     assert chair.state is DISARMED
     assert chair.receiver.driven == STANDS
-    assert all(v == 0.0 for t, v, _ in chair.speeds if t > began + safety_gate.STOP_TIME)
+    assert all(v == 0.0 for t, v, _ in chair.speeds if t > began + stop_ramp.STOP_TIME)
     assert chair.reason is reason
     chair.drive(0.3)
     assert chair.receiver.driven.v == pytest.approx(0.3)

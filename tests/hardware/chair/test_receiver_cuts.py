@@ -10,7 +10,7 @@ from hardware.chair.commanded_receiver import PERIOD, STEP, CommandedReceiver
 from app.hardware.chair.packet import DRIVE
 from app.hardware.chair.reasons import Reason
 from app.hardware.chair.receiver import ReceiverState
-from app.pipeline import safety_gate
+from app.pipeline import stop_ramp
 
 CUTS = 1000
 SLACK = 1e-9  # s, rounding of times
@@ -60,7 +60,7 @@ def test_from_then_on_it_only_slows_and_stands_in_time(cut):
         for (v, omega), (next_v, next_omega) in pairwise(speeds):
             assert next_v <= v
             assert next_omega <= omega
-        assert stood <= 0.11 + safety_gate.STOP_TIME + STEP + SLACK
+        assert stood <= 0.11 + stop_ramp.STOP_TIME + STEP + SLACK
 
 
 @pytest.mark.parametrize("drift", [-0.01, 0.01])

@@ -9,7 +9,7 @@ from app.hardware.chair import receiver as receiver_module
 from app.hardware.chair.packet import DRIVE, STOP
 from app.hardware.chair.reasons import Reason
 from app.hardware.chair.receiver import ReceiverState
-from app.pipeline import safety_gate
+from app.pipeline import safety_gate, stop_ramp
 from app.speed_limits import HIGHEST_SPEEDS
 
 ARMED, DISARMED = ReceiverState.ARMED, ReceiverState.DISARMED
@@ -23,7 +23,7 @@ def test_silence_slows_the_chair_after_100_ms_and_disarms_it_after_300(chair):
     slowed = next(t for t, v, _ in chair.speeds if t > heard and v < 0.75)
     assert 0.1 <= slowed - heard <= 0.11 + 1e-9
     stood = next(t for t, v, omega in chair.speeds if t > heard and (v, omega) == STANDS)
-    assert stood - heard <= 0.11 + safety_gate.STOP_TIME + STEP
+    assert stood - heard <= 0.11 + stop_ramp.STOP_TIME + STEP
     assert chair.reason is Reason.SILENT
 
 
@@ -49,8 +49,10 @@ def test_a_stall_of_its_own_is_a_hundred_ms(chair):
 
 
 def test_the_stop_is_that_of_the_gate():
-    names = ("STOP_DECELERATION", "STOP_TURN_DECELERATION", "STOP_TIME", "NEUTRAL_TIME", "NEUTRAL_PATIENCE")
-    assert all(getattr(receiver_module, name) == getattr(safety_gate, name) for name in names)
+    for name in ("STOP_DECELERATION", "STOP_TURN_DECELERATION", "STOP_TIME"):
+        assert getattr(receiver_module, name) == getattr(stop_ramp, name), name
+    for name in ("NEUTRAL_TIME", "NEUTRAL_PATIENCE"):
+        assert getattr(receiver_module, name) == getattr(safety_gate, name), name
     assert (HIGHEST_SPEEDS.forward, HIGHEST_SPEEDS.turn) == (receiver_module.V_MAX, receiver_module.OMEGA_MAX)
 
 
@@ -62,7 +64,7 @@ def test_the_stopping_distance():
         chair.wait(0.5)
         distance = sum(abs(speed) * STEP for t, speed, _ in chair.speeds if t >= heard)
         detected = 0.11
-        assert distance <= 1.05 * (abs(v) * detected + v * v / (2 * safety_gate.STOP_DECELERATION)), v
+        assert distance <= 1.05 * (abs(v) * detected + v * v / (2 * stop_ramp.STOP_DECELERATION)), v
         assert distance >= abs(v) * 0.1, v
         assert chair.receiver.driven == STANDS, v
 
@@ -72,7 +74,7 @@ def test_any_stop_takes_at_most_a_quarter_of_a_second(chair, speeds):
     chair.drive(*speeds, seconds=1.2)
     assert chair.receiver.driven == pytest.approx(speeds)
     chair.send(0.0, 0.0, STOP)
-    chair.wait(safety_gate.STOP_TIME)
+    chair.wait(stop_ramp.STOP_TIME)
     assert chair.receiver.driven == pytest.approx(STANDS, abs=1e-9)
 
 

@@ -7,14 +7,13 @@ import numpy as np
 import pytest
 from hypothesis import given
 from hypothesis import strategies as st
-from scipy.stats import t
 
 from app.scoring.measures import TRIAL_MEASURES
 from app.scoring.verdict.cusum import ALLOWANCE, LIMIT, MOST_OF_ONE, cumulative_sum, next_sum, normal_score
 from app.scoring.verdict.leading_measures import leading_measures, leading_of_task
-from app.scoring.verdict.measure_comparison import from_scale, to_scale, value_of
-from app.scoring.verdict.measure_verdict import clinic_spreads, noise_of, people_variances
-from app.scoring.verdict.spread import OwnSpread, Variance
+from app.scoring.verdict.measure_scales import from_scale, to_scale, value_of
+from app.scoring.verdict.measure_verdict import clinic_spreads, people_variances
+from app.scoring.verdict.spread import Variance
 from app.scoring.verdict.verdicts import task_verdicts, trial_verdicts
 from bench.learning.verdicts import learners, outcomes
 
@@ -154,26 +153,6 @@ def test_a_measure_without_a_direction_has_no_verdict() -> None:
 def test_equal_counts_do_not_make_one_contact_a_change() -> None:
     rows = rows_of([0.0] * 5, [0.0] * 5, [0.0] * 5, [0.0] * 4 + [1.0], measure="collisions")
     assert word(rows, "collisions", {}) == "within"
-
-
-def test_the_mdc_is_the_formula_with_students_t() -> None:
-    spread = OwnSpread(Variance(0.04, 8.0), Variance(0.01 + 0.04 / 5, 4.0), 1 / 5)
-    noise = noise_of(spread, 5, 5, same_session=False)
-    assert noise is not None
-    assert noise.df == pytest.approx(4)  # the means of sessions alone are what is independent
-    assert noise.mdc == pytest.approx(t.ppf(0.975, 4) * math.sqrt(2 * (0.01 + 0.04 / 5)))
-    fewer = noise_of(spread, 2, 5, same_session=False)
-    assert fewer is not None
-    parts = 2 * (0.01 + 0.04 / 5), 0.04 * (1 / 2 + 1 / 5 - 2 / 5)
-    df = sum(parts) ** 2 / (parts[0] ** 2 / 4 + parts[1] ** 2 / 8)
-    assert (fewer.df, fewer.mdc) == pytest.approx((df, t.ppf(0.975, df) * math.sqrt(sum(parts))))
-    even = OwnSpread(Variance(0.04, 8.0), Variance(0.0, 4.0), 1 / 5)  # by chance less than the trials say
-    least = noise_of(even, 5, 5, same_session=False)
-    assert least is not None
-    assert least.mdc >= math.sqrt(2 * 0.04 / 5)
-    alone = noise_of(spread, 1, 1, same_session=True)
-    assert alone is not None
-    assert alone.mdc == pytest.approx(t.ppf(0.975, 8) * math.sqrt(2 * 0.04))
 
 
 @given(st.sampled_from(list(TRIAL_MEASURES)), st.floats(1e-6, 1e6))

@@ -11,7 +11,8 @@ import pytest
 from scipy.stats import binom
 
 from app.scoring.measures import REACHED
-from app.scoring.verdict.change_over_sessions import LEVEL, course_change, course_differences
+from app.scoring.verdict.change_over_sessions import course_change, course_differences
+from app.scoring.verdict.detectable_change import LEVEL_OF_COURSE
 from app.scoring.verdict.measure_verdict import holm_levels, series_of
 from app.scoring.verdict.reaching import Counts, counts_of, fewer_than_foretold, reaching_difference
 from app.scoring.verdict.spread import Spread, Variance
@@ -104,7 +105,7 @@ def test_a_new_change_and_one_that_goes_on_are_found_by_different_comparisons() 
     slow = rows_of(*[[value * 0.9**session for value in (10.0, 11.0, 12.0)] for session in range(7)])
     for rows, places in ((new, [False, True]), (slow, [True, False])):
         found = course_differences("time", series_of(rows, "time")[0], CLINIC[0])
-        assert [one.p_value is not None and one.p_value <= LEVEL / 6 for one in found] == places
+        assert [one.p_value is not None and one.p_value <= LEVEL_OF_COURSE / 6 for one in found] == places
         assert course_change("time", rows, LEADING, {"time": CLINIC[0]}).word == "better"
 
 

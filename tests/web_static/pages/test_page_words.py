@@ -51,4 +51,4 @@ def test_before_any_prompt_it_says_what_prompts_would_bring(answered: Any) -> No
     given = [{"hits": without, "hits_with_prompts": HITS, "false_per_minute": None}]
     ((hits, _, prompted),) = answered("pages/expected_words.mjs", given)
     assert hits == "About 71 of 100 movements are recognised (± 18)."
-    assert prompted.startswith("Three repetitions of this movement make the first figure more certain (± 11)")
+    assert prompted.startswith("The repetitions of this movement make the first figure more certain (± 11)")

@@ -37,7 +37,7 @@ function softness(soft, value) {
   return SOFTNESS[ratios.indexOf(Math.min(...ratios))];
 }
 
-/** What anybody may choose from, in SI units, where nothing narrower is set. @param {keyof Speeds} name @returns {[number, number]} */
+/** What anybody may choose from, in SI units. @param {keyof Speeds} name @returns {[number, number]} */
 function rangeOf(name) {
   const { minimum, maximum } = limitsOf("Speeds", name);
   return [minimum ?? LOWEST, maximum ?? Infinity];
@@ -53,14 +53,13 @@ export function speedWords({ unit, digits, factor, soft }, value) {
  * A stepper for each limit, or three words where only an owner sets the number.
  * @param {object} rows
  * @param {Speeds} rows.speeds in SI units
- * @param {Partial<Record<string, [number, number]>>} [rows.limits] narrower than for anybody, in SI units
  * @param {boolean} [rows.hasNumbers] also where others choose a word
  * @param {Partial<Record<string, string>>} [rows.notes] remarks on single limits
  * @param {(name: keyof Speeds, value: number) => void} rows.onChange
  */
-export function SpeedRows({ speeds, limits = {}, hasNumbers = false, notes = {}, onChange }) {
+export function SpeedRows({ speeds, hasNumbers = false, notes = {}, onChange }) {
   const rows = SPEEDS.map(({ name, unit, step, digits, factor, soft }) => {
-    const [low, high] = limits[name] ?? rangeOf(name);
+    const [low, high] = rangeOf(name);
     const label = t(`speed-${name}`);
     const hint = `speed-${name}-hint`;
     // The steps are whole in the unit that people read; the result is kept within the limits.

@@ -1,7 +1,7 @@
 ### Texte der geteilten Links eines Patienten, die Fachkräfte erstellen, auflisten und widerrufen.
 
 shares-title = Geteilte Links
-shares-lead = Ein geteilter Link zeigt die Dokumentation jemandem außerhalb der Klinik. Er lässt sich nur lesen, nennt den Patienten nur mit dem Code, gilt höchstens 14 Tage und braucht eine PIN. Jedes Öffnen steht im Protokoll. Ein Bericht (unter „Auswertung“) ist dagegen eine Datei, die behält, wer sie bekommt.
+shares-lead = Ein geteilter Link zeigt die Dokumentation jemandem außerhalb der Klinik. Er lässt sich nur lesen, nennt den Patienten nur mit dem Code, gilt höchstens { $days } Tage und braucht eine PIN. Jedes Öffnen steht im Protokoll. Ein Bericht (unter „Auswertung“) ist dagegen eine Datei, die behält, wer sie bekommt.
 shares-none = Es gibt keinen Link, der sich öffnen lässt.
 shares-all = Alle Sitzungen
 shares-session = Sitzung { $number }

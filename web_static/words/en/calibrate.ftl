@@ -76,7 +76,7 @@ result-from-others-lead =
     }
 result-expected-hits = About { $value } of 100 movements are recognised (± { $uncertainty }).
 result-expected-false = At rest this movement is recognised by mistake about { $value } times a minute (± { $uncertainty }).
-result-expected-prompted = Three repetitions of this movement make the first figure more certain (± { $uncertainty }). They also show how often it is recognised by mistake at rest.
+result-expected-prompted = The repetitions of this movement make the first figure more certain (± { $uncertainty }). They also show how often it is recognised by mistake at rest.
 result-expected-hits-none = It is not known yet how many of 100 movements are recognised: the free movement had none in this direction.
 result-expected-false-none = It is not known yet how often this movement is recognised by mistake at rest: it must be repeated first.
 result-expected-own-hits = About { $value } of 100 movements are recognised. So few repetitions prove only that at least { $bound } are.

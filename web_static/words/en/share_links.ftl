@@ -1,7 +1,7 @@
 ### Texts of the share links of a patient, which clinicians make, list and revoke.
 
 shares-title = Share links
-shares-lead = A share link shows the records to somebody outside the clinic. It can only be read, names the patient by the code, lasts at most 14 days, and needs a PIN. The log records each opening. A report, made on Review, is a file: whoever gets it can keep it.
+shares-lead = A share link shows the records to somebody outside the clinic. It can only be read, names the patient by the code, lasts at most { $days } days, and needs a PIN. The log records each opening. A report, made on Review, is a file: whoever gets it can keep it.
 shares-none = There is no link that can be opened.
 shares-all = All sessions
 shares-session = Session { $number }

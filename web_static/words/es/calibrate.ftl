@@ -76,7 +76,7 @@ result-from-others-lead =
     }
 result-expected-hits = De 100 movimientos, se reconocen unos { $value } (± { $uncertainty }).
 result-expected-false = En reposo, este movimiento se reconoce por error unas { $value } veces por minuto (± { $uncertainty }).
-result-expected-prompted = Con tres repeticiones de este movimiento, la primera cifra es más segura (± { $uncertainty }). También se sabe entonces con qué frecuencia se reconoce por error en reposo.
+result-expected-prompted = Con las repeticiones de este movimiento, la primera cifra es más segura (± { $uncertainty }). También se sabe entonces con qué frecuencia se reconoce por error en reposo.
 result-expected-hits-none = Todavía no se sabe cuántos de 100 movimientos se reconocen: en el movimiento libre no hubo ninguno en esta dirección.
 result-expected-false-none = Todavía no se sabe con qué frecuencia se reconoce este movimiento por error en reposo: antes hay que repetirlo.
 result-expected-own-hits = De 100 movimientos, se reconocen unos { $value }. Con tan pocas repeticiones solo se puede asegurar que son al menos { $bound }.

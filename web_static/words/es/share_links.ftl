@@ -1,7 +1,7 @@
 ### Texts of the share links of a patient, which clinicians make, list and revoke.
 
 shares-title = Enlaces compartidos
-shares-lead = Un enlace compartido muestra el historial a una persona de fuera de la clínica. Es de solo lectura, identifica al paciente por el código, dura 14 días como máximo y necesita un PIN. En el registro queda cada apertura. Un informe, que se crea en Revisar, es un archivo que conserva quien lo recibe.
+shares-lead = Un enlace compartido muestra el historial a una persona de fuera de la clínica. Es de solo lectura, identifica al paciente por el código, dura { $days } días como máximo y necesita un PIN. En el registro queda cada apertura. Un informe, que se crea en Revisar, es un archivo que conserva quien lo recibe.
 shares-none = No hay ningún enlace que se pueda abrir.
 shares-all = Todas las sesiones
 shares-session = Sesión { $number }

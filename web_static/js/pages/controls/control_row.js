@@ -4,6 +4,7 @@
  * @import { Control, ControlsStore } from "./store.js"
  */
 import { Fragment, h, useSignal } from "../../preact.js";
+import { limitsOf } from "../../reference.js";
 import { t } from "../../texts.js";
 import { Segments, Selection } from "../../widgets/fields.js";
 import { anyOf } from "../../widgets/format.js";
@@ -103,7 +104,7 @@ function Tuning({ store, control }) {
           label: t("tune-gain"),
           value: store.bindingOf(control).gain,
           low: 0,
-          high: store.view.value.limits.gain[1],
+          high: limitsOf("Binding", "gain").maximum ?? Infinity,
           ...GAIN,
           unit: "×",
           onChange: (gain) => store.setGain(control, gain),
@@ -128,7 +129,7 @@ function GestureSettings({ store, gesture, words }) {
         label: t(`handle-${place}-label`, { gesture: words }),
         value: 100 * value,
         low: 0,
-        high: 100 * store.view.value.limits.threshold[1],
+        high: 100 * (limitsOf("Gesture", "full").maximum ?? Infinity),
         ...THRESHOLD,
         unit: t(`unit-${feature}`),
         onChange: (share) => onChange(share / 100),

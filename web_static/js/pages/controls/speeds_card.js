@@ -3,6 +3,7 @@
  * @import { ControlsStore, Settings } from "./store.js"
  */
 import { h } from "../../preact.js";
+import { limitsOf } from "../../reference.js";
 import { t } from "../../texts.js";
 import { Choices } from "../../widgets/fields.js";
 import { Setting, Stepper } from "../../widgets/setting.js";
@@ -41,7 +42,7 @@ export function ModesCard({ store: { settings, change } }) {
 export function SpeedsCard({ store }) {
   const { settings, view, change } = store;
   const { speeds, mode_u1: ahead, mode_u2: turning } = settings.value;
-  const { limits, held, parameters } = view.value;
+  const { held, parameters } = view.value;
   const lower = SPEEDS.filter(({ name }) => held[name] < parameters.speeds[name]);
   return h(
     "section",
@@ -49,7 +50,6 @@ export function SpeedsCard({ store }) {
     h("h2", {}, t("speeds-title")),
     h(SpeedRows, {
       speeds,
-      limits,
       notes: Object.fromEntries(
         lower.map((speed) => [speed.name, t("speed-held", { value: speedWords(speed, held[speed.name]) })]),
       ),
@@ -67,8 +67,8 @@ export function SpeedsCard({ store }) {
  * @param {ControlsStore} value.store @param {"cutoff" | "cruise_time" | "turn_cruise_time"} value.name
  * @param {number} value.step @param {number} value.digits after the point
  */
-function Value({ store: { settings, view, change }, name, step, digits }) {
-  const [low, high] = view.value.limits[name];
+function Value({ store: { settings, change }, name, step, digits }) {
+  const { minimum, maximum } = limitsOf("ControlSettings", name);
   const label = t(`speed-${name}`);
   return h(
     Setting,
@@ -76,8 +76,8 @@ function Value({ store: { settings, view, change }, name, step, digits }) {
     h(Stepper, {
       label,
       value: settings.value[name],
-      low,
-      high,
+      low: minimum ?? 0,
+      high: maximum ?? Infinity,
       step,
       digits,
       unit: t(`unit-${name}`),

@@ -11,14 +11,17 @@ import { Field, Selection } from "../../widgets/fields.js";
 import { day, moment } from "../../widgets/format.js";
 
 const ALL = "";
-const DAYS = [1, 3, 7]; // beside the longest that the server allows
-const FIRST_DAYS = "7";
+const DAYS = [1, 3, 7]; // below the longest that the server allows
+const FIRST_DAYS = 7;
 
 /**
  * @typedef {object} Shared what is shared
  * @property {import("../../main.js").App} app @property {Signal<SharesView>} shares
  * @property {number} patient id @property {string} code @property {SessionRow[]} sessions
  */
+
+/** For how many days a link can be opened at most. */
+const mostDays = () => limitsOf("NewShare", "days").maximum ?? Infinity;
 
 /** @param {Shared & {isConsented: boolean}} card */
 export function ShareCard({ isConsented, ...shared }) {
@@ -43,7 +46,7 @@ export function ShareCard({ isConsented, ...shared }) {
     "section",
     { class: "card stack" },
     h("h2", { tabindex: -1, ref: heading }, t("shares-title")),
-    h("p", { class: "quiet small" }, t("shares-lead")),
+    h("p", { class: "quiet small" }, t("shares-lead", { days: mostDays() })),
     h(
       "div",
       { class: "stack share-links" },
@@ -140,7 +143,7 @@ function NewLink({ app, shares, patient, code, sessions }) {
  */
 function LinkForm({ sessions, isAgain, make }) {
   const session = useSignal(ALL);
-  const days = useSignal(FIRST_DAYS);
+  const days = useSignal(String(Math.min(FIRST_DAYS, mostDays())));
   const isSending = useRef(false); // a second tap would make a second link
   /** @param {SubmitEvent} event */
   const submit = async (event) => {
@@ -151,7 +154,7 @@ function LinkForm({ sessions, isAgain, make }) {
     isSending.current = false;
   };
   const options = sessions.map(({ id }) => ({ value: String(id), label: whatWords(sessions, id) }));
-  const lengths = [...DAYS, limitsOf("NewShare", "days").maximum ?? Infinity];
+  const lengths = [...DAYS.filter((count) => count < mostDays()), mostDays()];
   return h(
     "form",
     { class: "stack", onSubmit: submit },

@@ -8,7 +8,7 @@ calibration-rest-instruction = Sitzen Sie bequem, und lassen Sie die Arme hänge
 calibration-free = Frei bewegen
 calibration-free-instruction = Bewegen Sie Arme und Schultern zehn Sekunden lang, wie Sie möchten, so weit es angenehm ist.
 # Below an instruction to move one joint.
-calibration-prompt-instruction = Folgen Sie dem Takt: Bewegen Sie sich, wenn die Vorgabe es zeigt. Bewegen Sie sich dann langsam zurück, und ruhen Sie sich aus. Das Ganze dreimal.
+calibration-prompt-instruction = Folgen Sie { $count }-mal dem Takt: Bewegen Sie sich, wenn die Vorgabe es zeigt. Bewegen Sie sich dann langsam zurück, und ruhen Sie sich aus.
 calibration-move-elbow =
     { $side ->
         [left] Beugen Sie den linken Ellbogen
@@ -79,7 +79,7 @@ calibration-source-standard = Standard
 
 ## Why there is no map learnt from the cues.
 
-calibration-guided-unprompted = Aus Vorgaben wird nichts gelernt, weil die Bewegung dieses Gelenks nie vorgegeben wurde. Geben Sie sie dreimal vor.
+calibration-guided-unprompted = Aus Vorgaben wird nichts gelernt, weil die Bewegung dieses Gelenks nie vorgegeben wurde. Geben Sie sie mindestens { $least }-mal vor.
 calibration-guided-few =
     { $count ->
         [one] Aus { $count } vorgegebenen Wiederholung wird nichts gelernt. Geben Sie mindestens { $least } vor: Eine davon wird zum Prüfen zurückgehalten.

@@ -8,7 +8,7 @@ calibration-rest-instruction = Sit comfortably and let your arms hang. Do not mo
 calibration-free = Move freely
 calibration-free-instruction = Move your arms and shoulders any way you like for ten seconds, as far as is comfortable.
 # Below an instruction to move one joint.
-calibration-prompt-instruction = Follow the beat: move when the cue says so, then come back slowly and rest. Three times.
+calibration-prompt-instruction = Follow the beat { $count } times: move when the cue says so, then come back slowly and rest.
 calibration-move-elbow =
     { $side ->
         [left] Bend your left elbow
@@ -79,7 +79,7 @@ calibration-source-standard = standard
 
 ## Why there is no map learnt from the cues.
 
-calibration-guided-unprompted = Nothing is learnt from cues, because the movement of this joint was never prompted: prompt it three times.
+calibration-guided-unprompted = Nothing is learnt from cues, because the movement of this joint was never prompted: prompt it at least { $least } times.
 calibration-guided-few =
     { $count ->
         [one] Nothing is learnt from { $count } prompted repetition: prompt at least { $least }, so that it can be judged on one that it has not seen.

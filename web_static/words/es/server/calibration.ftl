@@ -8,7 +8,7 @@ calibration-rest-instruction = Siéntese con comodidad y deje los brazos relajad
 calibration-free = Movimiento libre
 calibration-free-instruction = Mueva los brazos y los hombros como quiera durante diez segundos, hasta donde le resulte cómodo.
 # Below an instruction to move one joint.
-calibration-prompt-instruction = Siga el ritmo: muévase cuando lo pida la indicación; después vuelva despacio y quédese en reposo. Tres veces.
+calibration-prompt-instruction = Siga el ritmo { $count } veces: muévase cuando lo pida la indicación; después vuelva despacio y quédese en reposo.
 calibration-move-elbow =
     { $side ->
         [left] Doble el codo izquierdo
@@ -79,7 +79,7 @@ calibration-source-standard = estándar
 
 ## Why there is no map learnt from the cues.
 
-calibration-guided-unprompted = No se aprende nada de las indicaciones, porque el movimiento de esta articulación nunca se pidió: pídalo tres veces.
+calibration-guided-unprompted = No se aprende nada de las indicaciones, porque el movimiento de esta articulación nunca se pidió: pídalo al menos { $least } veces.
 calibration-guided-few =
     { $count ->
         [one] Con { $count } repetición pedida no se aprende nada de las indicaciones: pida al menos { $least }, para que lo aprendido se pueda comprobar con una que se haya reservado.

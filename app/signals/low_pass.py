@@ -1,11 +1,11 @@
-"""Filters a whole recording at once with the Butterworth low-pass; gives the same numbers as the loop's filter."""
+"""Low-pass filters of a whole recording, and the standard cut-off; the numbers are those of the loop's filter."""
 
 from typing import Final
 
 import numpy as np
 from numpy.typing import NDArray
 
-from app.butterworth import low_pass
+from app.signals.butterworth import low_pass
 
 STANDARD_CUTOFF: Final = 3.0  # Hz, of what drives and of what is fitted: tremor damping
 

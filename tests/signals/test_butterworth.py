@@ -4,8 +4,8 @@ from hypothesis import given
 from hypothesis import strategies as st
 from scipy.signal import butter, freqz
 
-from app.butterworth import low_pass
-from app.signals.smoothing import smooth
+from app.signals.butterworth import low_pass
+from app.signals.low_pass import smooth
 
 
 @pytest.mark.parametrize(("cutoff", "sample_rate"), [(3, 100), (1, 50), (8, 100), (3, 1000), (8, 20)])

@@ -1,4 +1,4 @@
-"""How measures are compared: on a scale on which their noise is even, and only in trials in which they count."""
+"""The scales on which measures are compared, where their noise is even, and the trials in which they count."""
 
 from collections.abc import Mapping, Sequence
 from typing import Any
