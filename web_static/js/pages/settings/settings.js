@@ -1,7 +1,7 @@
 /** Settings: what the owner allows here, and the chairs and screens that are paired. Others see them, and change nothing. */
 import { ChairsCard } from "./chairs_card.js";
 import { drawPage, Fragment, h } from "../../preact.js";
-import { languageChoice } from "../../widgets/language_choice.js";
+import { LanguageChoice, languagesOf } from "../../widgets/language_choice.js";
 import { LimitsCard } from "./limits_card.js";
 import { Made } from "../../widgets/made.js";
 import { PasswordCard } from "./password_card.js";
@@ -33,7 +33,7 @@ export async function show(app, root, { signal: left }) {
     isOwner && linkedCard("log-lead", "rail-log", "#/log", "log-settings-go"),
     isOwner && linkedCard("computer-lead", "rail-computer", "#/computer", "computer-settings-go"),
     isOwner && linkedCard("backup-lead", "rail-backup", "#/backup", "backup-settings-go"),
-    languageCard(app, left),
+    languagesOf(app).length > 0 && languageCard(app),
     !app.me?.demo && h(PasswordCard, { app }),
   );
   drawPage(
@@ -48,18 +48,14 @@ export async function show(app, root, { signal: left }) {
   );
 }
 
-/** @param {import("../../main.js").App} app @param {AbortSignal} left */
-function languageCard(app, left) {
-  const choice = languageChoice(app);
-  return (
-    choice &&
-    h(
-      "section",
-      { class: "card" },
-      h("h2", {}, t("language-title")),
-      h("p", { class: "quiet small" }, t("language-lead")),
-      h(Made, { left, make: () => choice }),
-    )
+/** @param {import("../../main.js").App} app */
+function languageCard(app) {
+  return h(
+    "section",
+    { class: "card" },
+    h("h2", {}, t("language-title")),
+    h("p", { class: "quiet small" }, t("language-lead")),
+    h(LanguageChoice, { app }),
   );
 }
 
