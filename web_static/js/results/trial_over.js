@@ -125,7 +125,8 @@ function Foot({ store, actions, hasReplay }) {
 function keeping({ reading, ask, count, keep }) {
   const { kept, measures } = reading.value.trial;
   /** @param {"discard" | "count" | "keep"} what @param {() => unknown} onClick */
-  const button = (what, onClick) => h("button", { key: what, type: "button", class: "btn", onClick }, t(`over-${what}`));
+  const button = (what, onClick) =>
+    h("button", { key: what, type: "button", class: "btn", onClick }, t(`over-${what}`));
   if (kept) return button("discard", ask);
   return isInterrupted(measures) ? button("count", count) : button("keep", keep);
 }

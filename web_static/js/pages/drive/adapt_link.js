@@ -14,7 +14,8 @@ export function AdaptLink({ app, trial, left }) {
       if (trial.patient_id !== app.session?.patient?.id) return;
       proposal.value = (await app.api.get("/adaptation").catch(() => null))?.proposal ?? null;
     };
-    const follow = (/** @type {CustomEvent<string>} */ { detail }) => ["adaptation", "trial"].includes(detail) && read();
+    const follow = (/** @type {CustomEvent<string>} */ { detail }) =>
+      ["adaptation", "trial"].includes(detail) && read();
     app.live.addEventListener("changed", follow, { signal });
     read();
   });

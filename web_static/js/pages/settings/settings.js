@@ -3,9 +3,8 @@ import { ChairsCard } from "./chairs_card.js";
 import { drawPage, Fragment, h } from "../../preact.js";
 import { LanguageChoice, languagesOf } from "../../widgets/language_choice.js";
 import { LimitsCard } from "./limits_card.js";
-import { Made } from "../../widgets/made.js";
 import { PasswordCard } from "./password_card.js";
-import { patientScreenCard } from "../../widgets/patient_screen_card.js";
+import { PatientScreenCard, screenStore } from "../../widgets/patient_screen_card.js";
 import { PriorCard } from "./prior_card.js";
 import { t } from "../../texts.js";
 import { TabletsCard } from "./tablets_card.js";
@@ -17,7 +16,7 @@ export async function show(app, root, { signal: left }) {
     app.api.get("/limits"),
     app.api.get("/chairs"),
     app.api.get("/clinic-prior"),
-    role !== "reviewer" && patientScreenCard(app, left),
+    role !== "reviewer" && screenStore(app, left),
   ]);
   if (left.aborted) return;
   const isOwner = role === "owner";
@@ -26,7 +25,7 @@ export async function show(app, root, { signal: left }) {
     { class: "stack" },
     h(ChairsCard, { app, first: chairs, isOwner, left }),
     h(TabletsCard, { app, left }),
-    screens && h(Made, { left, make: () => screens }),
+    screens && h(PatientScreenCard, { store: screens }),
     role !== "reviewer" && h(PriorCard, { app, first: prior, isOwner }),
     role !== "reviewer" && linkedCard("plans-settings-lead", "plans-settings", "#/plans", "plans-link"),
     isOwner && linkedCard("people-settings-lead", "rail-people", "#/people", "people-settings-go"),
