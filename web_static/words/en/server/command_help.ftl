@@ -1,0 +1,57 @@
+### The help of the command line, `bodydrive COMMAND --help`. Each message is one line without values.
+### Words that begin with --, words in capitals and names of files are typed on the command line: they are not translated.
+
+## Every command
+
+cli-help-program = Body-machine interface for powered wheelchairs: calibrate, practise, score, drive.
+cli-help-version = Say which version this is, and end.
+cli-help-state = The folder of the clinic's database and recordings.
+cli-help-json = Print one JSON object and nothing else.
+
+## demo and serve
+
+cli-help-demo = Open a throw-away demonstration clinic: a simulated shirt, a patient, and the virtual chair.
+cli-help-serve = Open a clinic; its database and recordings are kept.
+
+## check and service
+
+cli-help-check = Measure what this computer grants, and say whether it is good enough for driving; exit code 1 when it is not.
+cli-help-service = Let the machine start the clinic by itself.
+
+## calibrate and decode. A column of a CSV file, such as start, is not translated.
+
+cli-help-calibrate = Fit a calibration profile to a file of signals: per joint its main movement, span, sign and thresholds.
+cli-help-decode = Decode a file of signals with the very chain of the live loop.
+
+## prior
+
+cli-help-prior = Learn from other people in the same shirt, so that somebody new drives before being calibrated.
+
+## score, study, replay and floorplan
+
+cli-help-score = Score a driven trajectory against a prescribed path; s and m.
+# A further paragraph.
+cli-help-score-following = A drive that ends no further along the path than it began, and not at its goal, has no measures of following. Two loops around one place in opposite directions cancel in the area off the path; the distance driven counts both.
+cli-help-study = Let a simulated person calibrate, then drive a path again and again, and score every trial.
+cli-help-replay = Play a recorded run as a shirt source: its frames as datagrams, at their own times. Ctrl-C ends it.
+cli-help-floorplan = List the places that come with the software, check one, or make one from a file.
+
+## chair and shirt
+
+cli-help-chair = Pair with a real chair; receive on the chair what it is to drive.
+cli-help-shirt = Pair with a shirt over the network; send as such a shirt does.
+
+## people, log and about
+
+cli-help-people = See, invite, disable and enable the people of a clinic; make a link for a new password.
+cli-help-log = Look at the log of a clinic: who did what, when.
+cli-help-about = Say which version this is, how it was built, and which packages it uses.
+
+## report, export, archive, backup, restore and incident
+
+cli-help-report = Write the report of a patient's session, or of all sessions; the clinic may be open meanwhile.
+cli-help-export = Export a patient's recordings and measures; the clinic may be open meanwhile. The patient must have consented.
+cli-help-archive = Take a whole patient to another clinic: sessions, controls, trials, recordings.
+cli-help-backup = Back up a clinic, also while it is open, and read the backup back; into a folder, only what is new is written.
+cli-help-restore = Restore a clinic into an empty folder: every file equal by hash, patients who were erased since left out.
+cli-help-incident = Archive log, recordings, parameters and versions of the last 24 hours, signed, and mark them as to be kept.

@@ -1,0 +1,57 @@
+### The help of the command line, `bodydrive COMMAND --help`. Each message is one line without values.
+### Words that begin with --, words in capitals and names of files are typed on the command line: they are not translated.
+
+## Every command
+
+cli-help-program = Interfaz cuerpo-máquina para sillas de ruedas eléctricas: calibrar, practicar, medir, conducir.
+cli-help-version = Mostrar qué versión es esta y terminar.
+cli-help-state = La carpeta de la base de datos y las grabaciones de la clínica.
+cli-help-json = Mostrar un único objeto JSON y nada más.
+
+## demo and serve
+
+cli-help-demo = Abrir una clínica de demostración que no se guarda: una camiseta simulada, un paciente y la silla virtual.
+cli-help-serve = Abrir una clínica; su base de datos y sus grabaciones se conservan.
+
+## check and service
+
+cli-help-check = Medir lo que ofrece este equipo y decir si basta para conducir; código de salida 1 si no basta.
+cli-help-service = Hacer que el equipo inicie la clínica por sí solo.
+
+## calibrate and decode. A column of a CSV file, such as start, is not translated.
+
+cli-help-calibrate = Ajustar un perfil de calibración a un archivo de señales: de cada articulación, su movimiento principal, rango, signo y umbrales.
+cli-help-decode = Decodificar un archivo de señales exactamente como lo hace el bucle de control.
+
+## prior
+
+cli-help-prior = Aprender de otras personas con la misma camiseta, para que alguien nuevo conduzca antes de su calibración.
+
+## score, study, replay and floorplan
+
+cli-help-score = Medir una trayectoria respecto a un recorrido indicado; s y m.
+# A further paragraph.
+cli-help-score-following = Si la trayectoria no termina más adelante en el recorrido de donde empezó, ni en su meta, no tiene medidas de cómo lo sigue. Dos vueltas alrededor de un mismo lugar en sentidos opuestos se anulan en el área fuera del recorrido; la distancia recorrida cuenta ambas.
+cli-help-study = Hacer que una persona simulada calibre y conduzca después un recorrido una y otra vez, y medir cada ensayo.
+cli-help-replay = Enviar una grabación como lo haría una camiseta: sus muestras como datagramas, en sus propios tiempos. Ctrl-C lo termina.
+cli-help-floorplan = Mostrar los lugares que vienen con el programa, comprobar uno, o crear uno a partir de un archivo.
+
+## chair and shirt
+
+cli-help-chair = Vincular una silla real; recibir en la silla lo que ha de conducir.
+cli-help-shirt = Vincular una camiseta por la red; enviar como lo hace una camiseta así.
+
+## people, log and about
+
+cli-help-people = Ver, invitar, desactivar y activar a las personas de una clínica; crear un enlace para una contraseña nueva.
+cli-help-log = Consultar el registro de una clínica: quién hizo qué, y cuándo.
+cli-help-about = Decir qué versión es esta, cómo se construyó y qué paquetes usa.
+
+## report, export, archive, backup, restore and incident
+
+cli-help-report = Escribir el informe de una sesión de un paciente, o de todas; la clínica puede estar abierta mientras tanto.
+cli-help-export = Exportar las grabaciones y medidas de un paciente; la clínica puede estar abierta mientras tanto. El paciente debe haber dado su consentimiento.
+cli-help-archive = Llevar todo lo de un paciente a otra clínica: sesiones, controles, ensayos, grabaciones.
+cli-help-backup = Hacer una copia de seguridad de una clínica, también mientras está abierta, y comprobarla; en una carpeta solo se escribe lo nuevo.
+cli-help-restore = Restaurar una clínica en una carpeta vacía: cada archivo con la misma huella, sin los pacientes que se borraron desde entonces.
+cli-help-incident = Archivar con firma el registro, las grabaciones, los parámetros y las versiones de las últimas 24 horas, y marcarlos para que se conserven.
