@@ -12,11 +12,26 @@ cli-help-json = Ein einziges JSON-Objekt ausgeben und sonst nichts.
 
 cli-help-demo = Eine Klinik zur Vorführung öffnen, die nicht aufbewahrt wird: ein simuliertes Shirt, ein Patient und der virtuelle Rollstuhl.
 cli-help-serve = Eine Klinik öffnen; ihre Datenbank und ihre Aufzeichnungen bleiben erhalten.
+cli-help-port = Der Port der Seiten; 0 nimmt irgendeinen freien.
+cli-help-demo-host = Die Adresse der Seiten, eine von diesem Rechner allein.
+cli-help-demo-floorplan = Ein eigener Grundriss, in dem man auch fahren kann.
+cli-help-serve-host = Die Adresse der Seiten; mit --lan eine oder mehrere dieses Rechners statt aller.
+cli-help-serve-lan = Die Klinik für Tablets in diesem Netz öffnen, über https.
+cli-help-serve-certificate = Ein eigenes Zertifikat für --lan: eine PEM-Datei mit seiner Kette.
+cli-help-serve-key = Der private Schlüssel dieses Zertifikats: eine PEM-Datei.
+cli-help-serve-behind-proxy = Die Adresse des Reverse-Proxys der Klinik, des einzigen Zugangs; braucht --name.
+cli-help-serve-name = Der Name, oder NAME:PORT, unter dem Browser den Proxy erreichen.
 
 ## check and service
 
 cli-help-check = Messen, was dieser Rechner bietet, und sagen, ob er zum Fahren gut genug ist; wenn nicht, ist der Exit-Code 1.
+cli-help-check-seconds = Wie lange die Regelschleife gemessen wird.
+cli-help-check-own-port = Ein Port der Klinik, die gerade läuft, statt der beiden üblichen.
 cli-help-service = Den Rechner die Klinik von selbst starten lassen.
+cli-help-service-install = Eine systemd-Unit installieren, die `bodydrive serve --lan` ausführt, und sie starten.
+cli-help-service-install-system = Eine Unit des Systems, die mit dem Rechner startet; braucht sudo.
+cli-help-service-install-account = Mit --system: das Konto, dem die Klinik gehört, nicht root.
+cli-help-service-install-print = Die Unit ausgeben und nichts ändern.
 
 ## calibrate and decode. A column of a CSV file, such as start, is not translated.
 

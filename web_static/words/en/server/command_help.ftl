@@ -12,11 +12,26 @@ cli-help-json = Print one JSON object and nothing else.
 
 cli-help-demo = Open a throw-away demonstration clinic: a simulated shirt, a patient, and the virtual chair.
 cli-help-serve = Open a clinic; its database and recordings are kept.
+cli-help-port = The port to listen on; 0 takes any free one.
+cli-help-demo-host = The address to listen on, one of this machine alone.
+cli-help-demo-floorplan = A floor plan of your own to drive in, too.
+cli-help-serve-host = The address to listen on; with --lan one of this machine's, or several, instead of all.
+cli-help-serve-lan = Open the clinic to tablets in this network, over https.
+cli-help-serve-certificate = A certificate of your own for --lan: a PEM file, with its chain.
+cli-help-serve-key = The private key of that certificate: a PEM file.
+cli-help-serve-behind-proxy = The address of the clinic's own reverse proxy, the only way in; needs --name.
+cli-help-serve-name = The name, or NAME:PORT, by which browsers reach the proxy.
 
 ## check and service
 
 cli-help-check = Measure what this computer grants, and say whether it is good enough for driving; exit code 1 when it is not.
+cli-help-check-seconds = How long to measure the loop.
+cli-help-check-own-port = A port of the clinic that runs, instead of the usual two.
 cli-help-service = Let the machine start the clinic by itself.
+cli-help-service-install = Install a systemd unit that runs `bodydrive serve --lan`, and start it.
+cli-help-service-install-system = A unit of the system, which starts with the machine; needs sudo.
+cli-help-service-install-account = With --system: the account that owns the clinic, not root.
+cli-help-service-install-print = Print the unit, and change nothing.
 
 ## calibrate and decode. A column of a CSV file, such as start, is not translated.
 

@@ -12,11 +12,26 @@ cli-help-json = Mostrar un único objeto JSON y nada más.
 
 cli-help-demo = Abrir una clínica de demostración que no se guarda: una camiseta simulada, un paciente y la silla virtual.
 cli-help-serve = Abrir una clínica; su base de datos y sus grabaciones se conservan.
+cli-help-port = El puerto en el que escuchar; 0 toma cualquiera que esté libre.
+cli-help-demo-host = La dirección en la que escuchar, una que sea solo de este equipo.
+cli-help-demo-floorplan = Un plano propio en el que también se pueda conducir.
+cli-help-serve-host = La dirección en la que escuchar; con --lan, una o varias de este equipo en vez de todas.
+cli-help-serve-lan = Abrir la clínica a las tabletas de esta red, por https.
+cli-help-serve-certificate = Un certificado propio para --lan: un archivo PEM, con su cadena.
+cli-help-serve-key = La clave privada de ese certificado: un archivo PEM.
+cli-help-serve-behind-proxy = La dirección del proxy inverso de la clínica, la única entrada; necesita --name.
+cli-help-serve-name = El nombre, o NAME:PORT, con el que los navegadores llegan al proxy.
 
 ## check and service
 
 cli-help-check = Medir lo que ofrece este equipo y decir si basta para conducir; código de salida 1 si no basta.
+cli-help-check-seconds = Durante cuánto tiempo medir el bucle.
+cli-help-check-own-port = Un puerto de la clínica que está en marcha, en vez de los dos habituales.
 cli-help-service = Hacer que el equipo inicie la clínica por sí solo.
+cli-help-service-install = Instalar una unidad de systemd que ejecuta `bodydrive serve --lan`, e iniciarla.
+cli-help-service-install-system = Una unidad del sistema, que se inicia con el equipo; necesita sudo.
+cli-help-service-install-account = Con --system: la cuenta propietaria de la clínica, que no sea root.
+cli-help-service-install-print = Mostrar la unidad y no cambiar nada.
 
 ## calibrate and decode. A column of a CSV file, such as start, is not translated.
 
