@@ -35,12 +35,48 @@ cli-help-service-install-print = Die Unit ausgeben und nichts ändern.
 
 ## calibrate and decode. A column of a CSV file, such as start, is not translated.
 
+cli-help-signals = CSV oder Parquet, oder der Ordner einer Aufzeichnung.
+cli-help-layout = Das Layout des Shirts, JSON.
 cli-help-calibrate = Ein Kalibrierungsprofil aus einer Datei mit Signalen berechnen: für jedes Gelenk Hauptbewegung, Bereich, Vorzeichen und Schwellenwerte.
+cli-help-calibrate-out = Wohin das Kalibrierungsprofil geschrieben wird, JSON.
+cli-help-calibrate-prompts = CSV start,end,joint: wann sich welches Gelenk zu seiner Geste hin bewegt hat; jede Zeile zählt. Legt das Vorzeichen fest.
+cli-help-calibrate-from = Wo die freie Bewegung beginnt, s.
+cli-help-calibrate-to = Wo die freie Bewegung endet, s.
+cli-help-calibrate-rest-from = Wo die Ruhe beginnt, s.
+cli-help-calibrate-rest-to = Wo die Ruhe endet, s.
+cli-help-calibrate-unused = Ein Kanal, der nicht verwendet wird; darf mehrmals stehen.
+cli-help-calibrate-prior = Was `bodydrive prior` über andere Personen im gleichen Shirt geschrieben hat.
+cli-help-calibrate-map = Mit welcher Kalibrierung gefahren wird: Standard, aus den Vorgaben gelernt, von anderen Personen, oder die beste.
+cli-help-calibrate-gestures = Alle gefundenen Gesten, hin und zurück, nach ihrer Güte ordnen und vier vorschlagen.
 cli-help-decode = Eine Datei mit Signalen genau so dekodieren wie die Regelschleife.
+cli-help-decode-profile = Was `bodydrive calibrate` geschrieben hat, oder ein gespeichertes Set.
+cli-help-decode-out = Wohin die Fahrbefehle geschrieben werden: .parquet oder .csv.
+cli-help-decode-dead-zone = Ab wo jede Geste zählt, in vollen Bewegungen pro Sekunde.
+cli-help-decode-cutoff = Tremordämpfung, Hz: ein kleinerer Wert dämpft stärker.
 
 ## prior
 
 cli-help-prior = Von anderen Personen im gleichen Shirt lernen, damit jemand Neues schon vor der eigenen Kalibrierung fährt.
+cli-help-prior-file = Die Starthilfe; gibt es keine, wird sie angelegt.
+cli-help-prior-person = Ein Code der Person: Buchstaben, Ziffern, Punkte und Bindestriche, kein Name.
+cli-help-prior-add = Die Aufzeichnungen einer Person zu einer Starthilfe hinzufügen. Wer schon darin ist, wird ersetzt.
+cli-help-prior-add-signals = CSV, Parquet oder der Ordner einer Aufzeichnung; alle Aufzeichnungen der Person.
+cli-help-prior-add-prompts = CSV start,end,joint: wann sich welches Gelenk zu seiner Geste hin bewegt hat. Eine für jede von SIGNALS.
+cli-help-prior-add-from = Wo zehn Sekunden freier Bewegung beginnen, s.
+cli-help-prior-remove = Eine Person aus einer Starthilfe entfernen, als wäre sie nie hinzugefügt worden.
+cli-help-prior-show = Für jedes Gelenk und jede Geste zeigen, was eine Starthilfe weiß: Personen, Sekunden, Bewegungen und ihr Tempo, Bereiche der Kanäle.
+cli-help-prior-merge = Starthilfen zusammenzählen. Das Ergebnis hat Summen über acht oder mehr Personen und von niemandem einen Eintrag: Es darf die Klinik verlassen.
+# A further paragraph.
+cli-help-prior-merge-released = Eine eigene Starthilfe merkt sich, wer in einer Fassung zur Weitergabe ist, denn niemand darf in zweien sein: Von einer gewachsenen Starthilfe werden nur die neuen Personen weitergegeben, und die Fassungen werden zusammengezählt. Dafür werden die Dateien der eigenen Starthilfen, die weitergegeben werden, neu geschrieben.
+cli-help-prior-merge-priors = Eigene Starthilfen oder Fassungen zur Weitergabe.
+cli-help-prior-merge-out = Wohin das Ergebnis geschrieben wird: eine .json-Datei.
+cli-help-prior-merge-own = Für jede Person einen Eintrag behalten. Das Ergebnis darf die Klinik nicht verlassen.
+cli-help-prior-export = Schreiben, was die Klinik von Patienten in einem getragenen Shirt weiß. Ohne --release darf es die Klinik nicht verlassen.
+cli-help-prior-export-out = Wohin die Starthilfe geschrieben wird.
+cli-help-prior-export-layout = Das Layout des getragenen Shirts, JSON.
+cli-help-prior-export-release = Nur Summen über acht oder mehr Personen, die alle in die Weitergabe eingewilligt haben.
+cli-help-prior-import = Die eigene Starthilfe einer Klinik übernehmen: für alle ihre Personen oder für niemanden. Was über sie bekannt ist, wird ersetzt.
+cli-help-prior-import-file = Die eigene Starthilfe einer Klinik, wie `export` sie schreibt.
 
 ## score, study, replay and floorplan
 

@@ -35,12 +35,48 @@ cli-help-service-install-print = Print the unit, and change nothing.
 
 ## calibrate and decode. A column of a CSV file, such as start, is not translated.
 
+cli-help-signals = CSV or Parquet, or the folder of a recording.
+cli-help-layout = The shirt's layout, JSON.
 cli-help-calibrate = Fit a calibration profile to a file of signals: per joint its main movement, span, sign and thresholds.
+cli-help-calibrate-out = Where the calibration profile goes, JSON.
+cli-help-calibrate-prompts = CSV start,end,joint: when which joint moved towards its gesture; every row counts. Fixes the sign.
+cli-help-calibrate-from = Where the free movement begins, s.
+cli-help-calibrate-to = Where the free movement ends, s.
+cli-help-calibrate-rest-from = Where the rest begins, s.
+cli-help-calibrate-rest-to = Where the rest ends, s.
+cli-help-calibrate-unused = A channel not to be used; may be given again.
+cli-help-calibrate-prior = What `bodydrive prior` wrote of other people in the same shirt.
+cli-help-calibrate-map = Which calibration drives: standard, learnt from the cues, from other people, or the best.
+cli-help-calibrate-gestures = Rank every gesture that was found, there and back, and suggest four.
 cli-help-decode = Decode a file of signals with the very chain of the live loop.
+cli-help-decode-profile = What `bodydrive calibrate` wrote, or a saved parameter set.
+cli-help-decode-out = Where the commands go: .parquet or .csv.
+cli-help-decode-dead-zone = From where every gesture counts, full movements per second.
+cli-help-decode-cutoff = Tremor damping, Hz: lower damps more.
 
 ## prior
 
 cli-help-prior = Learn from other people in the same shirt, so that somebody new drives before being calibrated.
+cli-help-prior-file = The prior; it is made when there is none.
+cli-help-prior-person = A code for the person: letters, digits, dots and dashes, no name.
+cli-help-prior-add = Add a person's recordings to a prior. A person who is in it already is replaced.
+cli-help-prior-add-signals = CSV, Parquet or a recording's folder; all recordings of the person.
+cli-help-prior-add-prompts = CSV start,end,joint: when which joint moved towards its gesture. One for each of SIGNALS.
+cli-help-prior-add-from = Where ten seconds of free movement begin, s.
+cli-help-prior-remove = Take a person out of a prior, as if this person had never been added.
+cli-help-prior-show = Show per joint and gesture what a prior knows: people, seconds, strokes and their rates, ranges of channels.
+cli-help-prior-merge = Add priors up. The result holds sums over eight people or more, and nobody's entry: it may leave the clinic.
+# A further paragraph.
+cli-help-prior-merge-released = An own prior keeps who was released, because nobody may be in two releases: of a prior that has grown, only the people who are new are released, and releases are added up. The files of the own priors that are released are written again for that.
+cli-help-prior-merge-priors = Own priors or releases.
+cli-help-prior-merge-out = Where the result goes: a .json file.
+cli-help-prior-merge-own = Keep an entry per person. The result must not leave the clinic.
+cli-help-prior-export = Write what the clinic knows of patients in a worn shirt. Without --release it must not leave the clinic.
+cli-help-prior-export-out = Where the prior goes.
+cli-help-prior-export-layout = The layout of the worn shirt, JSON.
+cli-help-prior-export-release = Only sums over eight people or more, all of whom consent to sharing.
+cli-help-prior-import = Take over a clinic's own prior: for all of its people, or for nobody. What is known of them is replaced.
+cli-help-prior-import-file = A clinic's own prior, as `export` writes it.
 
 ## score, study, replay and floorplan
 

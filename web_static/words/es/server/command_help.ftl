@@ -35,12 +35,48 @@ cli-help-service-install-print = Mostrar la unidad y no cambiar nada.
 
 ## calibrate and decode. A column of a CSV file, such as start, is not translated.
 
+cli-help-signals = CSV o Parquet, o la carpeta de una grabación.
+cli-help-layout = La disposición de la camiseta, JSON.
 cli-help-calibrate = Ajustar un perfil de calibración a un archivo de señales: de cada articulación, su movimiento principal, rango, signo y umbrales.
+cli-help-calibrate-out = Dónde se escribe el perfil de calibración, JSON.
+cli-help-calibrate-prompts = CSV start,end,joint: cuándo se movió qué articulación hacia su gesto; cada fila cuenta. Fija el signo.
+cli-help-calibrate-from = Dónde empieza el movimiento libre, s.
+cli-help-calibrate-to = Dónde termina el movimiento libre, s.
+cli-help-calibrate-rest-from = Dónde empieza el reposo, s.
+cli-help-calibrate-rest-to = Dónde termina el reposo, s.
+cli-help-calibrate-unused = Un canal que no se debe usar; la opción se puede repetir.
+cli-help-calibrate-prior = Lo que `bodydrive prior` escribió de otras personas con la misma camiseta.
+cli-help-calibrate-map = Con qué calibración se conduce: la estándar, la aprendida de las indicaciones, la de otras personas o la mejor.
+cli-help-calibrate-gestures = Ordenar por calidad todos los gestos encontrados, de ida y de vuelta, y proponer cuatro.
 cli-help-decode = Decodificar un archivo de señales exactamente como lo hace el bucle de control.
+cli-help-decode-profile = Lo que escribió `bodydrive calibrate`, o una configuración guardada.
+cli-help-decode-out = Dónde se escriben los comandos: .parquet o .csv.
+cli-help-decode-dead-zone = Desde dónde cuenta cada gesto, en movimientos completos por segundo.
+cli-help-decode-cutoff = Atenuación del temblor, Hz: un valor más bajo atenúa más.
 
 ## prior
 
 cli-help-prior = Aprender de otras personas con la misma camiseta, para que alguien nuevo conduzca antes de su calibración.
+cli-help-prior-file = El prior; se crea si no existe.
+cli-help-prior-person = Un código de la persona: letras, cifras, puntos y guiones, ningún nombre.
+cli-help-prior-add = Añadir las grabaciones de una persona a un prior. Si la persona ya está en él, se sustituye.
+cli-help-prior-add-signals = CSV, Parquet o la carpeta de una grabación; todas las grabaciones de la persona.
+cli-help-prior-add-prompts = CSV start,end,joint: cuándo se movió qué articulación hacia su gesto. Uno por cada uno de SIGNALS.
+cli-help-prior-add-from = Dónde empiezan diez segundos de movimiento libre, s.
+cli-help-prior-remove = Quitar a una persona de un prior, como si nunca se hubiera añadido.
+cli-help-prior-show = Mostrar, por articulación y gesto, lo que sabe un prior: personas, segundos, movimientos y su velocidad, rangos de los canales.
+cli-help-prior-merge = Unir priors. El resultado contiene sumas de ocho personas o más, y la entrada de nadie: puede salir de la clínica.
+# A further paragraph.
+cli-help-prior-merge-released = Un prior propio recuerda a quiénes se publicó, porque nadie puede estar en dos publicaciones: de un prior que ha crecido solo se publica a las personas nuevas, y las publicaciones se unen. Para eso se escriben de nuevo los archivos de los priors propios que se publican.
+cli-help-prior-merge-priors = Priors propios o publicaciones.
+cli-help-prior-merge-out = Dónde se escribe el resultado: un archivo .json.
+cli-help-prior-merge-own = Conservar una entrada por persona. El resultado no debe salir de la clínica.
+cli-help-prior-export = Escribir lo que la clínica sabe de los pacientes con una camiseta puesta. Sin --release no debe salir de la clínica.
+cli-help-prior-export-out = Dónde se escribe el prior.
+cli-help-prior-export-layout = La disposición de la camiseta puesta, JSON.
+cli-help-prior-export-release = Solo sumas de ocho personas o más, todas con consentimiento para compartir.
+cli-help-prior-import = Incorporar el prior propio de una clínica: para todas sus personas, o para ninguna. Lo que se sabe de ellas se sustituye.
+cli-help-prior-import-file = El prior propio de una clínica, como lo escribe `export`.
 
 ## score, study, replay and floorplan
 
