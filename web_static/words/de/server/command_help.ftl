@@ -83,9 +83,46 @@ cli-help-prior-import-file = Die eigene Starthilfe einer Klinik, wie `export` si
 cli-help-score = Eine Fahrspur an einer vorgegebenen Strecke messen; s und m.
 # A further paragraph.
 cli-help-score-following = Eine Fahrspur, die auf der Strecke nicht weiter vorn endet, als sie begonnen hat, und nicht am Ziel, hat keine Messwerte dafür, wie gut sie folgt. Zwei Schleifen um dieselbe Stelle in Gegenrichtung heben sich in der Fläche neben der Strecke auf; der gefahrene Weg zählt beide.
+cli-help-score-trajectory = CSV oder Parquet mit den Spalten t, x, y.
+cli-help-score-path = CSV oder Parquet mit den Spalten x, y: die Punkte der Strecke.
+cli-help-score-goal-radius = Wie nah am Ende der Strecke das Ziel als erreicht gilt, m.
 cli-help-study = Eine simulierte Person kalibrieren und dann immer wieder eine Strecke fahren lassen, und jeden Durchgang messen.
+cli-help-study-out = Der Ordner, in den geschrieben wird; er muss neu oder leer sein.
+cli-help-study-trials = Wie oft die Strecke gefahren wird: 22-mal, oder 3-mal pro Sitzung.
+cli-help-study-seed = Der gleiche Seed ergibt die gleichen Zahlen.
+cli-help-study-seeds = Wie viele Personen, ab --seed.
+cli-help-study-floorplan = Name eines mitgelieferten Grundrisses, oder eine JSON-Datei.
+cli-help-study-path = Name einer Strecke darin; ohne Angabe die erste.
+cli-help-study-format = Der Abbildungen; none lässt sie weg.
+cli-help-study-no-learning = Nichts, was geübt wird, bleibt.
+cli-help-study-overwrite = Ersetzen, was der Ordner enthält.
+cli-help-study-adapt = Über mehrere Sitzungen: die Kalibrierung der Person folgen lassen, im Vergleich mit einer festen.
+cli-help-study-person = Über mehrere Sitzungen: was mit Körper oder Shirt geschieht.
+cli-help-study-map = Mit --adapt: Standardkalibrierung, oder was Vorgaben oder andere Personen lehren.
+cli-help-study-sessions = Wie viele, mit --adapt oder --interface-test.
+cli-help-study-interface-test = Über mehrere Sitzungen: der Zwei-Minuten-Test vor den Durchgängen jeder Sitzung.
+cli-help-study-jobs = Prozesse zugleich; ohne Angabe so viele wie Prozessoren.
 cli-help-replay = Eine Aufzeichnung senden, wie ein Shirt es täte: ihre Datenpakete als Datagramme, zu ihren eigenen Zeiten. Strg-C beendet das Senden.
+cli-help-replay-recording = Ordner einer Aufzeichnung, CSV oder Parquet.
+cli-help-replay-to = Wohin die Datagramme gehen, HOST:PORT.
+cli-help-replay-loop = Am Ende von vorn beginnen.
+cli-help-replay-speed = Wievielmal so schnell, wie aufgezeichnet wurde.
 cli-help-floorplan = Die mitgelieferten Orte auflisten, einen prüfen, oder einen aus einer Datei erstellen.
+cli-help-floorplan-import = Einen Grundriss aus einer ROS-Karte, einer DXF-Zeichnung oder einem Bild erstellen: Wände und eine Strecke zum Fahren.
+cli-help-floorplan-import-file = MAP.yaml einer ROS-Karte, eine DXF-Zeichnung, oder ein Bild als PNG oder JPEG.
+cli-help-floorplan-import-out = Wohin der Grundriss geschrieben wird: eine .json-Datei.
+cli-help-floorplan-import-name = Der Name des Grundrisses: Buchstaben, Ziffern, Punkte, Bindestriche.
+cli-help-floorplan-import-title = Der Titel, den man liest.
+# The units are typed.
+cli-help-floorplan-import-unit = Einer Zeichnung, die keine nennt: mm, cm, m, inch oder foot.
+cli-help-floorplan-import-layer = Eine Ebene der Zeichnung mit Wänden; darf mehrmals stehen.
+cli-help-floorplan-import-metres-per-pixel = Der Maßstab eines Bildes.
+cli-help-floorplan-import-width = Oder wie breit das ganze Bild ist, m.
+cli-help-floorplan-import-threshold = Ein Pixel, das heller ist als dieser Anteil von Weiß, ist frei.
+cli-help-floorplan-import-outside = Eine Karte oder ein Bild: auch verwenden, was vom Rand aus erreichbar ist.
+cli-help-floorplan-list = Auflisten, was zum Fahren mitgeliefert wird: Szenen nach Stufe, Gebäude, und ihre Aufgaben.
+cli-help-floorplan-check = Sagen, ob man in einem Grundriss oder einer Szene fahren kann, und wenn nicht, was wo falsch ist.
+cli-help-floorplan-check-file = Ein Grundriss oder eine Szene.
 
 ## chair and shirt
 

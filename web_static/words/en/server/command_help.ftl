@@ -83,9 +83,46 @@ cli-help-prior-import-file = A clinic's own prior, as `export` writes it.
 cli-help-score = Score a driven trajectory against a prescribed path; s and m.
 # A further paragraph.
 cli-help-score-following = A drive that ends no further along the path than it began, and not at its goal, has no measures of following. Two loops around one place in opposite directions cancel in the area off the path; the distance driven counts both.
+cli-help-score-trajectory = CSV or Parquet with columns t, x, y.
+cli-help-score-path = CSV or Parquet with columns x, y: the path's points.
+cli-help-score-goal-radius = How near the path's end counts as reached, m.
 cli-help-study = Let a simulated person calibrate, then drive a path again and again, and score every trial.
+cli-help-study-out = Folder to write; it must be new or empty.
+cli-help-study-trials = How often the path is driven: 22, or 3 a session.
+cli-help-study-seed = The same seed gives the same numbers.
+cli-help-study-seeds = How many people, from --seed on.
+cli-help-study-floorplan = Name of a bundled floor plan, or a JSON file.
+cli-help-study-path = Name of a path in it; the first when not given.
+cli-help-study-format = Of the figures; none leaves them out.
+cli-help-study-no-learning = Nothing that is practised stays.
+cli-help-study-overwrite = Replace what the folder holds.
+cli-help-study-adapt = Over sessions: let the calibration follow the person, against a fixed one.
+cli-help-study-person = Over sessions: what happens to body or shirt.
+cli-help-study-map = With --adapt: standard calibration, or what cues or other people teach.
+cli-help-study-sessions = How many, with --adapt or --interface-test.
+cli-help-study-interface-test = Over sessions: the two-minute test before the trials of each.
+cli-help-study-jobs = Processes at once; as many as processors when not given.
 cli-help-replay = Play a recorded run as a shirt source: its frames as datagrams, at their own times. Ctrl-C ends it.
+cli-help-replay-recording = Folder of a recorded run, CSV or Parquet.
+cli-help-replay-to = Where the datagrams go, HOST:PORT.
+cli-help-replay-loop = Begin again at the end.
+cli-help-replay-speed = How many times as fast as it was recorded.
 cli-help-floorplan = List the places that come with the software, check one, or make one from a file.
+cli-help-floorplan-import = Make a floor plan from a ROS map, a DXF drawing or a picture: walls, and a path to drive.
+cli-help-floorplan-import-file = MAP.yaml of a ROS map, a DXF drawing, or a PNG or JPEG picture.
+cli-help-floorplan-import-out = Where the floor plan goes: a .json file.
+cli-help-floorplan-import-name = The plan's name: letters, digits, dots, dashes.
+cli-help-floorplan-import-title = What people call it.
+# The units are typed.
+cli-help-floorplan-import-unit = Of a drawing that does not say it: mm, cm, m, inch or foot.
+cli-help-floorplan-import-layer = A drawing's layer with walls; several times for more.
+cli-help-floorplan-import-metres-per-pixel = A picture's scale.
+cli-help-floorplan-import-width = Or how wide the whole picture is, m.
+cli-help-floorplan-import-threshold = A pixel lighter than this share of white is free.
+cli-help-floorplan-import-outside = A map or a picture: use what can be reached from its edge, too.
+cli-help-floorplan-list = List what can be driven in and comes with the software: scenes by level, buildings, and their tasks.
+cli-help-floorplan-check = Say whether a floor plan or a scene can be driven in, and if not, what is wrong where.
+cli-help-floorplan-check-file = A floor plan or a scene.
 
 ## chair and shirt
 

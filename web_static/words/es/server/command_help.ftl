@@ -83,9 +83,46 @@ cli-help-prior-import-file = El prior propio de una clínica, como lo escribe `e
 cli-help-score = Medir una trayectoria respecto a un recorrido indicado; s y m.
 # A further paragraph.
 cli-help-score-following = Si la trayectoria no termina más adelante en el recorrido de donde empezó, ni en su meta, no tiene medidas de cómo lo sigue. Dos vueltas alrededor de un mismo lugar en sentidos opuestos se anulan en el área fuera del recorrido; la distancia recorrida cuenta ambas.
+cli-help-score-trajectory = CSV o Parquet con las columnas t, x, y.
+cli-help-score-path = CSV o Parquet con las columnas x, y: los puntos del recorrido.
+cli-help-score-goal-radius = A qué distancia del final del recorrido este cuenta como alcanzado, m.
 cli-help-study = Hacer que una persona simulada calibre y conduzca después un recorrido una y otra vez, y medir cada ensayo.
+cli-help-study-out = Carpeta en la que escribir; debe ser nueva o estar vacía.
+cli-help-study-trials = Cuántas veces se conduce el recorrido: 22, o 3 por sesión.
+cli-help-study-seed = La misma semilla da los mismos números.
+cli-help-study-seeds = Cuántas personas, a partir de --seed.
+cli-help-study-floorplan = Nombre de un plano que viene con el programa, o un archivo JSON.
+cli-help-study-path = Nombre de un recorrido del plano; si no se indica, el primero.
+cli-help-study-format = De las figuras; none las omite.
+cli-help-study-no-learning = Nada de lo que se practica permanece.
+cli-help-study-overwrite = Sustituir lo que contiene la carpeta.
+cli-help-study-adapt = En varias sesiones: hacer que la calibración siga a la persona, comparada con una fija.
+cli-help-study-person = En varias sesiones: qué les ocurre al cuerpo o a la camiseta.
+cli-help-study-map = Con --adapt: la calibración estándar, o lo que enseñan las indicaciones u otras personas.
+cli-help-study-sessions = Cuántas, con --adapt o --interface-test.
+cli-help-study-interface-test = En varias sesiones: la prueba de dos minutos antes de los ensayos de cada una.
+cli-help-study-jobs = Procesos a la vez; si no se indica, tantos como procesadores.
 cli-help-replay = Enviar una grabación como lo haría una camiseta: sus muestras como datagramas, en sus propios tiempos. Ctrl-C lo termina.
+cli-help-replay-recording = Carpeta de una grabación, CSV o Parquet.
+cli-help-replay-to = Adónde van los datagramas, HOST:PORT.
+cli-help-replay-loop = Empezar de nuevo al final.
+cli-help-replay-speed = Por cuánto se multiplica la velocidad de la grabación.
 cli-help-floorplan = Mostrar los lugares que vienen con el programa, comprobar uno, o crear uno a partir de un archivo.
+cli-help-floorplan-import = Crear un plano a partir de un mapa de ROS, un dibujo DXF o una imagen: paredes y un recorrido para conducir.
+cli-help-floorplan-import-file = MAP.yaml de un mapa de ROS, un dibujo DXF, o una imagen PNG o JPEG.
+cli-help-floorplan-import-out = Dónde se escribe el plano: un archivo .json.
+cli-help-floorplan-import-name = El nombre del plano: letras, cifras, puntos, guiones.
+cli-help-floorplan-import-title = El título que leen las personas.
+# The units are typed.
+cli-help-floorplan-import-unit = De un dibujo que no la indica: mm, cm, m, inch o foot.
+cli-help-floorplan-import-layer = Una capa del dibujo con paredes; la opción se puede repetir.
+cli-help-floorplan-import-metres-per-pixel = La escala de una imagen.
+cli-help-floorplan-import-width = O el ancho de toda la imagen, m.
+cli-help-floorplan-import-threshold = Un píxel más claro que esta fracción del blanco está libre.
+cli-help-floorplan-import-outside = Un mapa o una imagen: usar también lo que se alcanza desde su borde.
+cli-help-floorplan-list = Mostrar lo que viene con el programa para conducir: escenas por nivel, edificios, y sus tareas.
+cli-help-floorplan-check = Decir si se puede conducir en un plano o una escena y, si no, qué está mal y dónde.
+cli-help-floorplan-check-file = Un plano o una escena.
 
 ## chair and shirt
 
