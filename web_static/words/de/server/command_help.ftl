@@ -127,13 +127,39 @@ cli-help-floorplan-check-file = Ein Grundriss oder eine Szene.
 ## chair and shirt
 
 cli-help-chair = Einen echten Rollstuhl koppeln; auf dem Rollstuhl empfangen, was er fahren soll.
+cli-help-chair-receive = Auf dem Rollstuhl: Fahrbefehle prüfen, die Zeit überwachen, Geschwindigkeiten allmählich ändern und einen Ausgang ansteuern.
+cli-help-chair-pair = Einen Schlüssel für einen Rollstuhl erzeugen, bei der Klinik aufbewahren und einmal als QR-Code zeigen.
+# A further paragraph.
+cli-help-chair-pair-units = Geschwindigkeiten stehen in m/s und rad/s, Beschleunigungen in m/s2 und rad/s2, Rucke in m/s3 und rad/s3.
+cli-help-chair-pair-name = Wie der Rollstuhl genannt wird.
+cli-help-chair-pair-host = Die Adresse, unter der dieser Rechner den Rollstuhl erreicht.
+cli-help-chair-pair-port = Der Port seines Empfängers.
+# Of a speed, an acceleration or a jerk.
+cli-help-chair-pair-limit = Was dieser Rollstuhl höchstens darf; ohne Angabe ein vorsichtiger Standard.
 cli-help-shirt = Ein Shirt über das Netz koppeln; senden, wie ein solches Shirt es tut.
+cli-help-shirt-send = Eine Datei oder langsame Wellen senden, wie ein gekoppeltes Shirt es tut: das Beispiel für die Firmware eines Shirts.
+cli-help-shirt-pair = Einen Schlüssel für ein Shirt erzeugen, bei der Klinik aufbewahren und einmal als QR-Code zeigen.
 
 ## people, log and about
 
 cli-help-people = Die Personen einer Klinik ansehen, einladen, sperren und entsperren; einen Link für ein neues Passwort erzeugen.
+cli-help-people-name = Der Name, mit dem sich die Person anmeldet.
+# The roles are typed.
+cli-help-people-role = owner, clinician oder reviewer.
+cli-help-people-patient = Der Code eines Patienten, den eine mitlesende Person sehen darf, einmal für jeden; ohne Angabe alle.
+cli-help-people-address = Die Adresse der Seiten, für den Link; ohne Angabe die des laufenden Programms.
+cli-help-people-list = Die Personen der Klinik auflisten: Name, Rolle, was Mitlesende sehen dürfen, ob sie sich anmelden können.
+cli-help-people-invite = Eine Person hinzufügen und den Link ausgeben, mit dem sie innerhalb von 24 Stunden ein Passwort wählt.
+# A further paragraph.
+cli-help-people-invite-again = Für jemanden, den es schon gibt, erzeugt der Link ein neues Passwort; Rolle und Patienten bleiben.
+cli-help-people-disable = Eine Person nicht mehr anmelden lassen; ihre offenen Seiten enden innerhalb von 5 s.
+cli-help-people-enable = Eine gesperrte Person wieder anmelden lassen.
 cli-help-log = Das Protokoll einer Klinik ansehen: wer wann was getan hat.
+cli-help-log-verify = Prüfen, dass keine Zeile des Protokolls geändert, verschoben, eingefügt oder entfernt wurde; die Klinik darf dabei geöffnet sein.
+# A further paragraph.
+cli-help-log-verify-exit = Der Exit-Code ist 0, wenn das Protokoll unversehrt ist, 1, wenn es verändert wurde, 2, wenn es nicht gelesen werden kann.
 cli-help-about = Sagen, welche Version dies ist, wie sie gebaut wurde, und welche Pakete sie verwendet.
+cli-help-about-licences = Ihre Pakete und die Arbeit anderer in ihren Dateien auflisten, mit Lizenzen.
 
 ## report, export, archive, backup, restore and incident
 

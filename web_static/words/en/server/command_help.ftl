@@ -127,13 +127,39 @@ cli-help-floorplan-check-file = A floor plan or a scene.
 ## chair and shirt
 
 cli-help-chair = Pair with a real chair; receive on the chair what it is to drive.
+cli-help-chair-receive = Run on the chair: check commands, watch the time, ramp, and drive an output.
+cli-help-chair-pair = Make a key for a chair, keep it with the clinic, and show it once as a QR code.
+# A further paragraph.
+cli-help-chair-pair-units = Speeds are in m/s and rad/s, accelerations in m/s2 and rad/s2, jerks in m/s3 and rad/s3.
+cli-help-chair-pair-name = What people call the chair.
+cli-help-chair-pair-host = The chair's address, as this machine reaches it.
+cli-help-chair-pair-port = Where its receiver listens.
+# Of a speed, an acceleration or a jerk.
+cli-help-chair-pair-limit = What this chair may do at most; a careful standard when not given.
 cli-help-shirt = Pair with a shirt over the network; send as such a shirt does.
+cli-help-shirt-send = Send a file or slow waves as a paired shirt does: the example for a shirt's firmware.
+cli-help-shirt-pair = Make a key for a shirt, keep it with the clinic, and show it once as a QR code.
 
 ## people, log and about
 
 cli-help-people = See, invite, disable and enable the people of a clinic; make a link for a new password.
+cli-help-people-name = The name that the person signs in with.
+# The roles are typed.
+cli-help-people-role = owner, clinician or reviewer.
+cli-help-people-patient = The code of a patient that a reviewer may see, once for each; without: all.
+cli-help-people-address = The address of the pages, for the link; that of the running program.
+cli-help-people-list = List the people of the clinic: name, role, what a reviewer may see, whether they can sign in.
+cli-help-people-invite = Add a person, and print the link by which this person chooses a password within 24 hours.
+# A further paragraph.
+cli-help-people-invite-again = For somebody who is there already, the link makes a new password; role and patients stay.
+cli-help-people-disable = Let a person sign in no longer; open pages of this person end within 5 s.
+cli-help-people-enable = Let a disabled person sign in again.
 cli-help-log = Look at the log of a clinic: who did what, when.
+cli-help-log-verify = Check that no row of the log was edited, moved, put in or removed; the clinic may be open meanwhile.
+# A further paragraph.
+cli-help-log-verify-exit = The exit code is 0 when the log is whole, 1 when it was changed, 2 when it cannot be read.
 cli-help-about = Say which version this is, how it was built, and which packages it uses.
+cli-help-about-licences = List its packages, and the work of others in its files, with licences.
 
 ## report, export, archive, backup, restore and incident
 

@@ -127,13 +127,39 @@ cli-help-floorplan-check-file = Un plano o una escena.
 ## chair and shirt
 
 cli-help-chair = Vincular una silla real; recibir en la silla lo que ha de conducir.
+cli-help-chair-receive = En la silla: comprobar los comandos, vigilar el tiempo, cambiar las velocidades poco a poco y accionar una salida.
+cli-help-chair-pair = Crear una clave para una silla, guardarla con la clínica y mostrarla una vez como código QR.
+# A further paragraph.
+cli-help-chair-pair-units = Las velocidades se dan en m/s y rad/s, las aceleraciones en m/s2 y rad/s2, los tirones en m/s3 y rad/s3.
+cli-help-chair-pair-name = Cómo llaman las personas a la silla.
+cli-help-chair-pair-host = La dirección por la que este equipo llega a la silla.
+cli-help-chair-pair-port = El puerto en el que escucha su receptor.
+# Of a speed, an acceleration or a jerk.
+cli-help-chair-pair-limit = Lo máximo que puede hacer esta silla; si no se indica, un valor prudente.
 cli-help-shirt = Vincular una camiseta por la red; enviar como lo hace una camiseta así.
+cli-help-shirt-send = Enviar un archivo u ondas lentas como lo hace una camiseta vinculada: el ejemplo para el firmware de una camiseta.
+cli-help-shirt-pair = Crear una clave para una camiseta, guardarla con la clínica y mostrarla una vez como código QR.
 
 ## people, log and about
 
 cli-help-people = Ver, invitar, desactivar y activar a las personas de una clínica; crear un enlace para una contraseña nueva.
+cli-help-people-name = El nombre con el que entra la persona.
+# The roles are typed.
+cli-help-people-role = owner, clinician o reviewer.
+cli-help-people-patient = El código de un paciente que puede ver un revisor, una vez por cada uno; si no se indica, todos.
+cli-help-people-address = La dirección de las páginas, para el enlace; si no se indica, la del programa en marcha.
+cli-help-people-list = Mostrar las personas de la clínica: nombre, función, qué puede ver un revisor, si pueden entrar.
+cli-help-people-invite = Añadir a una persona y mostrar el enlace con el que elige una contraseña en 24 horas.
+# A further paragraph.
+cli-help-people-invite-again = Para quien ya está, el enlace crea una contraseña nueva; la función y los pacientes no cambian.
+cli-help-people-disable = No dejar entrar más a una persona; sus páginas abiertas se cierran en menos de 5 s.
+cli-help-people-enable = Dejar entrar de nuevo a una persona desactivada.
 cli-help-log = Consultar el registro de una clínica: quién hizo qué, y cuándo.
+cli-help-log-verify = Comprobar que ninguna fila del registro se modificó, movió, insertó o quitó; la clínica puede estar abierta mientras tanto.
+# A further paragraph.
+cli-help-log-verify-exit = El código de salida es 0 si el registro está íntegro, 1 si se alteró, 2 si no se puede leer.
 cli-help-about = Decir qué versión es esta, cómo se construyó y qué paquetes usa.
+cli-help-about-licences = Mostrar sus paquetes y las obras de otros que hay en sus archivos, con licencias.
 
 ## report, export, archive, backup, restore and incident
 
