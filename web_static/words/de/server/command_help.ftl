@@ -163,9 +163,32 @@ cli-help-about-licences = Ihre Pakete und die Arbeit anderer in ihren Dateien au
 
 ## report, export, archive, backup, restore and incident
 
+cli-help-patient = Der Code des Patienten.
 cli-help-report = Den Bericht über eine Sitzung eines Patienten schreiben, oder über alle; die Klinik darf dabei geöffnet sein.
+cli-help-report-out = Die Datei, die geschrieben wird; sie endet mit .pdf oder .html.
+cli-help-report-session = Die Nummer einer Sitzung; ohne Angabe der Verlauf aller Sitzungen.
+cli-help-report-letter = Papier im Format Letter statt A4.
+cli-help-report-for-patient = Eine Kopie für den Patienten: braucht keine Einwilligung in die Weitergabe nach außen.
+cli-help-report-language = Die Sprache des Berichts; ohne Angabe die des Terminals.
 cli-help-export = Aufzeichnungen und Messwerte eines Patienten exportieren; die Klinik darf dabei geöffnet sein. Der Patient muss eingewilligt haben.
+cli-help-export-out = Die zip-Datei, die geschrieben wird.
+cli-help-export-format = Das Format der Dateien darin.
+cli-help-export-session = Die Nummer einer Sitzung; ohne Angabe alle Sitzungen.
 cli-help-archive = Alles von einem Patienten in eine andere Klinik bringen: Sitzungen, Steuerung, Durchgänge, Aufzeichnungen.
+cli-help-archive-make = Das Archiv eines Patienten schreiben, der eingewilligt haben muss; die Klinik darf dabei geöffnet sein.
+cli-help-archive-make-out = Das Archiv, das geschrieben wird.
+cli-help-archive-import = Ein Archiv importieren; dasselbe noch einmal ändert nichts.
+cli-help-archive-import-file = Das Archiv.
+cli-help-archive-import-replace = Den Patienten ersetzen, den es hier schon gibt; vorher wird ein Archiv von ihm aufbewahrt.
 cli-help-backup = Eine Klinik sichern, auch während sie geöffnet ist, und das Backup prüfen; in einen Ordner wird nur geschrieben, was neu ist.
+cli-help-backup-file = Die Datei, die erstellt wird, oder ein Backup-Ordner.
+cli-help-backup-encrypt = Mit einer Passphrase verschlüsseln, nach der gefragt wird oder die in BODYDRIVE_PASSPHRASE steht.
+cli-help-backup-with-keys = Auch die Schlüssel der Rollstühle und der Klinik sichern.
+cli-help-backup-check = Keines erstellen: das Backup FILE lesen und ganz prüfen.
 cli-help-restore = Eine Klinik in einem leeren Ordner wiederherstellen: jede Datei mit gleichem Hashwert, ohne die seither endgültig gelöschten Patienten.
+cli-help-restore-file = Ein Backup; aus einem Backup-Ordner eine seiner Dateien.
+cli-help-restore-erased = Eine neuere erased-patients.json, damit diese Patienten gelöscht bleiben.
 cli-help-incident = Protokoll, Aufzeichnungen, Parameter und Versionen der letzten 24 Stunden signiert archivieren, und sie zum Aufbewahren sperren.
+cli-help-incident-file = Das Archiv, das erstellt oder mit --check gelesen wird.
+cli-help-incident-check = Keines erstellen: jeden Hashwert und die Signatur des Archivs FILE prüfen.
+cli-help-incident-public-key = Mit --check: der öffentliche Schlüssel der Klinik (PEM), nicht der im Archiv.

@@ -163,9 +163,32 @@ cli-help-about-licences = List its packages, and the work of others in its files
 
 ## report, export, archive, backup, restore and incident
 
+cli-help-patient = The code of the patient.
 cli-help-report = Write the report of a patient's session, or of all sessions; the clinic may be open meanwhile.
+cli-help-report-out = The file to write: its suffix is .pdf or .html.
+cli-help-report-session = The number of one session; without: the course of all sessions.
+cli-help-report-letter = Letter paper instead of A4.
+cli-help-report-for-patient = A copy for the patient: needs no consent to sharing outside.
+cli-help-report-language = The language of the report; without: that of the terminal.
 cli-help-export = Export a patient's recordings and measures; the clinic may be open meanwhile. The patient must have consented.
+cli-help-export-out = The zip file to write.
+cli-help-export-format = The format of the files in it.
+cli-help-export-session = The number of one session; without: all sessions.
 cli-help-archive = Take a whole patient to another clinic: sessions, controls, trials, recordings.
+cli-help-archive-make = Write the archive of a patient, who must have consented; the clinic may be open meanwhile.
+cli-help-archive-make-out = The archive to write.
+cli-help-archive-import = Import an archive; the same one once more changes nothing.
+cli-help-archive-import-file = The archive.
+cli-help-archive-import-replace = Replace the patient who is here; first an archive of it is kept.
 cli-help-backup = Back up a clinic, also while it is open, and read the backup back; into a folder, only what is new is written.
+cli-help-backup-file = The file to make, or a folder of backups.
+cli-help-backup-encrypt = Encrypt it with a passphrase, asked for or in BODYDRIVE_PASSPHRASE.
+cli-help-backup-with-keys = Back the keys of the chairs and of the clinic up, too.
+cli-help-backup-check = Make none: read the backup FILE and check all of it.
 cli-help-restore = Restore a clinic into an empty folder: every file equal by hash, patients who were erased since left out.
+cli-help-restore-file = A backup; in a folder of backups, one of its files.
+cli-help-restore-erased = A newer erased-patients.json, so that those patients stay erased.
 cli-help-incident = Archive log, recordings, parameters and versions of the last 24 hours, signed, and mark them as to be kept.
+cli-help-incident-file = The archive to make, or with --check to read.
+cli-help-incident-check = Make none: check every hash and the signature of the archive FILE.
+cli-help-incident-public-key = With --check: the clinic's public key (PEM), not the one inside.

@@ -163,9 +163,32 @@ cli-help-about-licences = Mostrar sus paquetes y las obras de otros que hay en s
 
 ## report, export, archive, backup, restore and incident
 
+cli-help-patient = El código del paciente.
 cli-help-report = Escribir el informe de una sesión de un paciente, o de todas; la clínica puede estar abierta mientras tanto.
+cli-help-report-out = El archivo que se escribe; termina en .pdf o .html.
+cli-help-report-session = El número de una sesión; si no se indica, la evolución de todas.
+cli-help-report-letter = Papel de tamaño carta en vez de A4.
+cli-help-report-for-patient = Una copia para el paciente: no necesita consentimiento para compartir fuera.
+cli-help-report-language = El idioma del informe; si no se indica, el del terminal.
 cli-help-export = Exportar las grabaciones y medidas de un paciente; la clínica puede estar abierta mientras tanto. El paciente debe haber dado su consentimiento.
+cli-help-export-out = El archivo zip que se escribe.
+cli-help-export-format = El formato de los archivos que contiene.
+cli-help-export-session = El número de una sesión; si no se indica, todas.
 cli-help-archive = Llevar todo lo de un paciente a otra clínica: sesiones, controles, ensayos, grabaciones.
+cli-help-archive-make = Escribir el expediente de un paciente, que debe haber dado su consentimiento; la clínica puede estar abierta mientras tanto.
+cli-help-archive-make-out = El expediente que se escribe.
+cli-help-archive-import = Importar un expediente; el mismo otra vez no cambia nada.
+cli-help-archive-import-file = El expediente.
+cli-help-archive-import-replace = Sustituir al paciente que ya está aquí; antes se guarda un expediente suyo.
 cli-help-backup = Hacer una copia de seguridad de una clínica, también mientras está abierta, y comprobarla; en una carpeta solo se escribe lo nuevo.
+cli-help-backup-file = El archivo que se crea, o una carpeta de copias.
+cli-help-backup-encrypt = Cifrar la copia con una frase de contraseña, que se pide o está en BODYDRIVE_PASSPHRASE.
+cli-help-backup-with-keys = Copiar también las claves de las sillas y de la clínica.
+cli-help-backup-check = No crear ninguna: leer la copia FILE y comprobarla entera.
 cli-help-restore = Restaurar una clínica en una carpeta vacía: cada archivo con la misma huella, sin los pacientes que se borraron desde entonces.
+cli-help-restore-file = Una copia; de una carpeta de copias, uno de sus archivos.
+cli-help-restore-erased = Un erased-patients.json más reciente, para que esos pacientes sigan borrados.
 cli-help-incident = Archivar con firma el registro, las grabaciones, los parámetros y las versiones de las últimas 24 horas, y marcarlos para que se conserven.
+cli-help-incident-file = El archivo que se crea o, con --check, que se lee.
+cli-help-incident-check = No crear ninguno: comprobar cada huella y la firma del archivo FILE.
+cli-help-incident-public-key = Con --check: la clave pública de la clínica (PEM), no la que hay dentro.
