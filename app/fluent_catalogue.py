@@ -23,11 +23,12 @@ from app.settings import static_folder
 DIGITS: Final = 350  # of the largest number with its decimals: Babel refuses to round a longer one
 LOCALES: Final = {"en": "en_GB"}  # for dates and lists, where it is not the language: "a, b and c"
 DAYS: Final = {"en": "yyyy-MM-dd"}  # how a day is written, where it is not the usual way of the language
+HELP: Final = "command_help.ftl"  # read without Fluent (app/cli/help_text.py)
 resolver.MAX_PART_LENGTH = 1_000_000  # characters of a value; with more, the whole message would be "{???}"
 
 
 def load(language: str) -> None:
-    """Read the messages of a language."""
+    """Read the messages of a language, except the help of the command line."""
     _bundle(language)
 
 
@@ -80,6 +81,7 @@ def _locale(language: str) -> str:
 @cache
 def _bundle(language: str) -> FluentBundle:
     bundle = FluentBundle([_locale(language)], use_isolating=False)
-    for file in sorted((static_folder() / "words" / language).rglob("*.ftl")):
+    files = (static_folder() / "words" / language).rglob("*.ftl")
+    for file in sorted(file for file in files if file.name != HELP):
         bundle.add_resource(FluentResource(file.read_text(encoding="utf-8")))
     return bundle

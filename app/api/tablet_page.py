@@ -94,7 +94,8 @@ class TabletPage:
         trust = self._network.trust
         if trust.root is None:
             return PlainTextResponse(str(NO_ROOT), 404)
-        machine = next((each for each in trust.names if each.endswith(".local")), "this machine").removesuffix(".local")
+        names = [each.removesuffix(".local") for each in trust.names if each.endswith(".local")]
+        machine: Text | str = names[0] if names else Text("host-nameless-machine")
         content = apple_profile(trust.root, machine) if name.endswith(".mobileconfig") else root_pem(trust.root)
         disposition = f'attachment; filename="{name}"'
         return Response(content, media_type=kind, headers={"Content-Disposition": disposition})

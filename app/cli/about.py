@@ -12,6 +12,7 @@ import typer
 from app import __version__
 from app.cli.common_options import AsJson
 from app.cli.errors import InputError
+from app.cli.help_text import help_text
 from app.texts import Text
 
 if TYPE_CHECKING:
@@ -38,9 +39,7 @@ class Package(NamedTuple):
 
 
 def about(
-    licences: Annotated[
-        bool, typer.Option("--licences", help="List its packages, and the work of others in its files, with licences.")
-    ] = False,
+    licences: Annotated[bool, typer.Option("--licences", help=help_text("cli-help-about-licences"))] = False,
     as_json: AsJson = False,
 ) -> None:
     """Say which version this is, how it was built, and which packages it uses."""

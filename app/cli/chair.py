@@ -7,6 +7,7 @@ import typer
 
 from app.cli.common_options import State, settings_of
 from app.cli.errors import InputError
+from app.cli.help_text import help_text
 from app.cli.qr import terminal_code
 from app.file_modes import keep_new_files_private
 from app.hardware.chair import receive as receiver
@@ -19,17 +20,14 @@ if TYPE_CHECKING:
     from app.hardware.chair.key import Key
     from app.hardware.configs import RealChairConfig
 
-chair_app = typer.Typer(
-    help="Pair with a real chair; receive on the chair what it is to drive.",
-    no_args_is_help=True,
-    pretty_exceptions_enable=False,
-)
+chair_app = typer.Typer(no_args_is_help=True, pretty_exceptions_enable=False)
 
-Limit = Annotated[float | None, typer.Option(help="What this chair may do at most; a careful standard when not given.")]
+Limit = Annotated[float | None, typer.Option(help=help_text("cli-help-chair-pair-limit"))]
 
 
 @chair_app.command(
     "receive",
+    help=help_text("cli-help-chair-receive"),
     add_help_option=False,  # the receiver has its own --help
     context_settings={"allow_extra_args": True, "ignore_unknown_options": True},
 )
@@ -38,12 +36,12 @@ def receive(context: typer.Context) -> None:
     raise typer.Exit(receiver.main(context.args, "bodydrive chair receive"))
 
 
-@chair_app.command("pair")
+@chair_app.command("pair", help=help_text("cli-help-chair-pair", "cli-help-chair-pair-units"))
 def pair(
     *,
-    name: Annotated[str, typer.Option(help="What people call the chair.")],
-    host: Annotated[str, typer.Option(help="The chair's address, as this machine reaches it.")],
-    port: Annotated[int, typer.Option(min=1, max=65_535, help="Where its receiver listens.")] = PORT,
+    name: Annotated[str, typer.Option(help=help_text("cli-help-chair-pair-name"))],
+    host: Annotated[str, typer.Option(help=help_text("cli-help-chair-pair-host"))],
+    port: Annotated[int, typer.Option(min=1, max=65_535, help=help_text("cli-help-chair-pair-port"))] = PORT,
     state: State = None,
     forward: Limit = None,
     reverse: Limit = None,

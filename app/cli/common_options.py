@@ -5,12 +5,13 @@ from typing import Annotated
 
 import typer
 
+from app.cli.help_text import help_text
 from app.settings import Settings, state_folder
 
 COMMAND_LINE = "command line"  # who did it, in the log of the clinic
 
-State = Annotated[Path | None, typer.Option(help="The folder of the clinic's database and recordings.")]
-AsJson = Annotated[bool, typer.Option("--json", help="Print one JSON object and nothing else.")]
+State = Annotated[Path | None, typer.Option(help=help_text("cli-help-state"))]
+AsJson = Annotated[bool, typer.Option("--json", help=help_text("cli-help-json"))]
 
 
 def folder_of(state: Path | None) -> Path:

@@ -9,6 +9,7 @@ import typer
 
 from app.cli.common_options import AsJson
 from app.cli.errors import InputError
+from app.cli.help_text import help_text
 from app.cli.output import dialect_summary, print_dialect, warn, write_output
 from app.texts import Figure, Text, text_of
 
@@ -25,13 +26,11 @@ SUFFIXES = (".parquet", ".csv")
 
 
 def decode(
-    signals: Annotated[Path, typer.Argument(metavar="SIGNALS", help="CSV or Parquet, or the folder of a recording.")],
-    profile: Annotated[Path, typer.Option(help="What `bodydrive calibrate` wrote, or a saved parameter set.")],
-    out: Annotated[Path, typer.Option(help="Where the commands go: .parquet or .csv.")],
-    dead_zone: Annotated[
-        float | None, typer.Option(help="From where every gesture counts, full movements per second.")
-    ] = None,
-    cutoff: Annotated[float | None, typer.Option(help="Tremor damping, Hz: lower damps more.")] = None,
+    signals: Annotated[Path, typer.Argument(metavar="SIGNALS", help=help_text("cli-help-signals"))],
+    profile: Annotated[Path, typer.Option(help=help_text("cli-help-decode-profile"))],
+    out: Annotated[Path, typer.Option(help=help_text("cli-help-decode-out"))],
+    dead_zone: Annotated[float | None, typer.Option(help=help_text("cli-help-decode-dead-zone"))] = None,
+    cutoff: Annotated[float | None, typer.Option(help=help_text("cli-help-decode-cutoff"))] = None,
     as_json: AsJson = False,
 ) -> None:
     """Decode a file of signals with the very chain of the live loop."""

@@ -8,38 +8,29 @@ import typer
 
 from app.cli.common_options import AsJson
 from app.cli.errors import InputError
+from app.cli.help_text import help_text
 from app.cli.output import write_output
 from app.texts import Figure, Text, text_of
 from app.world.imports.options import THRESHOLD
 
-floorplan_app = typer.Typer(
-    help="List the places that come with the software, check one, or make one from a file.",
-    no_args_is_help=True,
-    pretty_exceptions_enable=False,
-)
+floorplan_app = typer.Typer(no_args_is_help=True, pretty_exceptions_enable=False)
 
 
-@floorplan_app.command("import")
+@floorplan_app.command("import", help=help_text("cli-help-floorplan-import"))
 def import_file(
-    file: Annotated[
-        Path, typer.Argument(metavar="FILE", help="MAP.yaml of a ROS map, a DXF drawing, or a PNG or JPEG picture.")
-    ],
-    out: Annotated[Path, typer.Option(help="Where the floor plan goes: a .json file.")],
+    file: Annotated[Path, typer.Argument(metavar="FILE", help=help_text("cli-help-floorplan-import-file"))],
+    out: Annotated[Path, typer.Option(help=help_text("cli-help-floorplan-import-out"))],
     *,
-    name: Annotated[str | None, typer.Option(help="The plan's name: letters, digits, dots, dashes.")] = None,
-    title: Annotated[str | None, typer.Option(help="What people call it.")] = None,
-    unit: Annotated[
-        str | None, typer.Option(help="Of a drawing that does not say it: mm, cm, m, inch or foot.")
+    name: Annotated[str | None, typer.Option(help=help_text("cli-help-floorplan-import-name"))] = None,
+    title: Annotated[str | None, typer.Option(help=help_text("cli-help-floorplan-import-title"))] = None,
+    unit: Annotated[str | None, typer.Option(help=help_text("cli-help-floorplan-import-unit"))] = None,
+    layer: Annotated[list[str] | None, typer.Option(help=help_text("cli-help-floorplan-import-layer"))] = None,
+    metres_per_pixel: Annotated[
+        float | None, typer.Option(help=help_text("cli-help-floorplan-import-metres-per-pixel"))
     ] = None,
-    layer: Annotated[
-        list[str] | None, typer.Option(help="A drawing's layer with walls; several times for more.")
-    ] = None,
-    metres_per_pixel: Annotated[float | None, typer.Option(help="A picture's scale.")] = None,
-    width: Annotated[float | None, typer.Option(help="Or how wide the whole picture is, m.")] = None,
-    threshold: Annotated[float, typer.Option(help="A pixel lighter than this share of white is free.")] = THRESHOLD,
-    outside: Annotated[
-        bool, typer.Option("--outside", help="A map or a picture: use what can be reached from its edge, too.")
-    ] = False,
+    width: Annotated[float | None, typer.Option(help=help_text("cli-help-floorplan-import-width"))] = None,
+    threshold: Annotated[float, typer.Option(help=help_text("cli-help-floorplan-import-threshold"))] = THRESHOLD,
+    outside: Annotated[bool, typer.Option("--outside", help=help_text("cli-help-floorplan-import-outside"))] = False,
     as_json: AsJson = False,
 ) -> None:
     """Make a floor plan from a ROS map, a DXF drawing or a picture: walls, and a path to drive."""
@@ -93,7 +84,7 @@ def import_file(
             typer.echo(sentence)
 
 
-@floorplan_app.command("list")
+@floorplan_app.command("list", help=help_text("cli-help-floorplan-list"))
 def list_plans(as_json: AsJson = False) -> None:
     """List what can be driven in and comes with the software: scenes by level, buildings, and their tasks."""
     from app.world.place_texts import plan_for_reader
@@ -123,9 +114,10 @@ def list_plans(as_json: AsJson = False) -> None:
             typer.echo(f"  {path.name:<14} {path.line.length:5.1f} m  {path.task.kind:<7} {path.title}")
 
 
-@floorplan_app.command("check")
+@floorplan_app.command("check", help=help_text("cli-help-floorplan-check"))
 def check_plan(
-    file: Annotated[Path, typer.Argument(metavar="FILE.json", help="A floor plan or a scene.")], as_json: AsJson = False
+    file: Annotated[Path, typer.Argument(metavar="FILE.json", help=help_text("cli-help-floorplan-check-file"))],
+    as_json: AsJson = False,
 ) -> None:
     """Say whether a floor plan or a scene can be driven in, and if not, what is wrong where."""
     from app.world.floorplan import load_floorplan

@@ -8,15 +8,12 @@ import typer
 
 from app.cli.common_options import AsJson, State, settings_of
 from app.cli.errors import InputError
+from app.cli.help_text import help_text
 from app.texts import Text
 
 CHANGED = 1  # exit code
 
-log_app = typer.Typer(
-    help="Look at the log of a clinic: who did what, when.",
-    no_args_is_help=True,
-    pretty_exceptions_enable=False,
-)
+log_app = typer.Typer(no_args_is_help=True, pretty_exceptions_enable=False)
 
 
 @log_app.callback()
@@ -24,7 +21,7 @@ def _log() -> None:
     """Make typer keep the sub-command `verify`, although it is the only one."""
 
 
-@log_app.command("verify")
+@log_app.command("verify", help=help_text("cli-help-log-verify", "cli-help-log-verify-exit"))
 def verify(
     state: State = None,
     as_json: AsJson = False,

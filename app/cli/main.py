@@ -10,33 +10,35 @@ import typer
 
 from app import __version__
 from app.cli.errors import InputError, refuse
+from app.cli.help_text import help_text
 from app.features import names
 from app.texts import ENGLISH, LANGUAGES, Text, reader_language
 
-# Command: module and function, imported only when the command is used, so that `--help` starts quickly.
-_COMMANDS = {
-    "demo": ("app.cli.serve", "demo"),
-    "serve": ("app.cli.serve", "serve"),
-    "calibrate": ("app.cli.calibration.calibrate", "calibrate"),
-    "prior": ("app.cli.calibration.prior_command", "prior_app"),
-    "decode": ("app.cli.decode", "decode"),
-    "score": ("app.cli.score", "score"),
-    "study": ("app.cli.study.study_command", "study"),
-    "replay": ("app.cli.replay", "replay"),
-    "check": ("app.cli.host.machine_check", "check"),
-    "service": ("app.cli.host.service", "service_app"),
-    "shirt": ("app.cli.shirt", "shirt_app"),
-    "chair": ("app.cli.chair", "chair_app"),
-    "people": ("app.cli.people", "people_app"),
-    "report": ("app.cli.records.report_command", "report"),
-    "export": ("app.cli.records.export", "export"),
-    "archive": ("app.cli.records.archive_command", "archive_app"),
-    "log": ("app.cli.log_command", "log_app"),
-    "backup": ("app.cli.records.backup_command", "backup"),
-    "restore": ("app.cli.records.backup_command", "restore"),
-    "incident": ("app.cli.records.incident_command", "incident"),
-    "floorplan": ("app.cli.floorplan", "floorplan_app"),
-    "about": ("app.cli.about", "about"),
+# Command: module and function, imported only when the command is used, so that `--help` starts quickly, and the ids
+# of the paragraphs of its help.
+_COMMANDS: dict[str, tuple[str, ...]] = {
+    "demo": ("app.cli.serve", "demo", "cli-help-demo"),
+    "serve": ("app.cli.serve", "serve", "cli-help-serve"),
+    "calibrate": ("app.cli.calibration.calibrate", "calibrate", "cli-help-calibrate"),
+    "prior": ("app.cli.calibration.prior_command", "prior_app", "cli-help-prior"),
+    "decode": ("app.cli.decode", "decode", "cli-help-decode"),
+    "score": ("app.cli.score", "score", "cli-help-score", "cli-help-score-following"),
+    "study": ("app.cli.study.study_command", "study", "cli-help-study"),
+    "replay": ("app.cli.replay", "replay", "cli-help-replay"),
+    "check": ("app.cli.host.machine_check", "check", "cli-help-check"),
+    "service": ("app.cli.host.service", "service_app", "cli-help-service"),
+    "shirt": ("app.cli.shirt", "shirt_app", "cli-help-shirt"),
+    "chair": ("app.cli.chair", "chair_app", "cli-help-chair"),
+    "people": ("app.cli.people", "people_app", "cli-help-people"),
+    "report": ("app.cli.records.report_command", "report", "cli-help-report"),
+    "export": ("app.cli.records.export", "export", "cli-help-export"),
+    "archive": ("app.cli.records.archive_command", "archive_app", "cli-help-archive"),
+    "log": ("app.cli.log_command", "log_app", "cli-help-log"),
+    "backup": ("app.cli.records.backup_command", "backup", "cli-help-backup"),
+    "restore": ("app.cli.records.backup_command", "restore", "cli-help-restore"),
+    "incident": ("app.cli.records.incident_command", "incident", "cli-help-incident"),
+    "floorplan": ("app.cli.floorplan", "floorplan_app", "cli-help-floorplan"),
+    "about": ("app.cli.about", "about", "cli-help-about"),
 }
 OF_FEATURES = {
     "report": "reports",
@@ -56,28 +58,28 @@ def build(command_names: list[str]) -> typer.Typer:
     """Return the application with these commands."""
     application = typer.Typer(
         name="bodydrive",
-        help="Body-machine interface for powered wheelchairs: calibrate, practise, score, drive.",
+        help=help_text("cli-help-program"),
         no_args_is_help=True,
         add_completion=False,
         pretty_exceptions_enable=False,
     )
-    application.callback(invoke_without_command=True)(_options)
+
+    @application.callback(invoke_without_command=True)
+    def _options(
+        version: Annotated[bool, typer.Option("--version", help=help_text("cli-help-version"))] = False,
+    ) -> None:
+        if version:
+            typer.echo(f"bodydrive {__version__}")
+            raise typer.Exit
+
     for command_name in command_names:
-        module, name = COMMANDS[command_name]
+        module, name, *paragraphs = COMMANDS[command_name]
         command = getattr(import_module(module), name)
         if isinstance(command, typer.Typer):
-            application.add_typer(command, name=command_name)
+            application.add_typer(command, name=command_name, help=help_text(*paragraphs))
         else:
-            application.command(command_name)(command)
+            application.command(command_name, help=help_text(*paragraphs))(command)
     return application
-
-
-def _options(
-    version: Annotated[bool, typer.Option("--version", help="Say which version this is, and end.")] = False,
-) -> None:
-    if version:
-        typer.echo(f"bodydrive {__version__}")
-        raise typer.Exit
 
 
 def main() -> None:

@@ -13,6 +13,7 @@ import typer
 from app.cli.clinic_folder import open_clinic
 from app.cli.common_options import COMMAND_LINE, AsJson, State, settings_of
 from app.cli.errors import InputError
+from app.cli.help_text import help_text
 from app.cli.qr import terminal_code
 from app.network import HTTP_PORT, link
 from app.refusals import Refusal
@@ -23,21 +24,14 @@ if TYPE_CHECKING:
     from app.store.access.person_tables import Person
     from app.store.database import Transaction
 
-Name = Annotated[str, typer.Argument(help="The name that the person signs in with.")]
-Role = Annotated[str, typer.Option(help="owner, clinician or reviewer.")]
-VisiblePatients = Annotated[
-    list[str] | None,
-    typer.Option("--patient", help="The code of a patient that a reviewer may see, once for each; without: all."),
-]
-Address = Annotated[str, typer.Option(help="The address of the pages, for the link; that of the running program.")]
+Name = Annotated[str, typer.Argument(help=help_text("cli-help-people-name"))]
+Role = Annotated[str, typer.Option(help=help_text("cli-help-people-role"))]
+VisiblePatients = Annotated[list[str] | None, typer.Option("--patient", help=help_text("cli-help-people-patient"))]
+Address = Annotated[str, typer.Option(help=help_text("cli-help-people-address"))]
 
 ROLES = ("owner", "clinician", "reviewer")
 
-people_app = typer.Typer(
-    help="See, invite, disable and enable the people of a clinic; make a link for a new password.",
-    no_args_is_help=True,
-    pretty_exceptions_enable=False,
-)
+people_app = typer.Typer(no_args_is_help=True, pretty_exceptions_enable=False)
 
 
 class PersonFacts(TypedDict):
@@ -49,7 +43,7 @@ class PersonFacts(TypedDict):
     state: str
 
 
-@people_app.command("list")
+@people_app.command("list", help=help_text("cli-help-people-list"))
 def list_people(
     state: State = None,
     as_json: AsJson = False,
@@ -80,7 +74,7 @@ def list_people(
         typer.echo("  ".join(cells))
 
 
-@people_app.command("invite")
+@people_app.command("invite", help=help_text("cli-help-people-invite", "cli-help-people-invite-again"))
 def invite_person(
     name: Name, role: Role = "clinician", patients: VisiblePatients = None, state: State = None, address: Address = ""
 ) -> None:
@@ -110,7 +104,7 @@ def invite_person(
     _print_link(name, invitation, address or running)
 
 
-@people_app.command("disable")
+@people_app.command("disable", help=help_text("cli-help-people-disable"))
 def disable_person(name: Name, state: State = None) -> None:
     """Let a person sign in no longer; open pages of this person end within 5 s."""
     from app.store.access.rights import disable
@@ -119,7 +113,7 @@ def disable_person(name: Name, state: State = None) -> None:
     typer.echo(Text("cli-person-is-disabled", name=name))
 
 
-@people_app.command("enable")
+@people_app.command("enable", help=help_text("cli-help-people-enable"))
 def enable_person(name: Name, state: State = None) -> None:
     """Let a disabled person sign in again."""
     from app.store.access.rights import enable

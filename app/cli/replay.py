@@ -11,6 +11,7 @@ import typer
 
 from app.cli.common_options import AsJson
 from app.cli.errors import InputError
+from app.cli.help_text import help_text
 from app.cli.output import warn
 from app.clock import Clock, MonotonicClock
 from app.hardware.shirt.sender import STANDARD_ADDRESS
@@ -23,10 +24,10 @@ SLOWEST, FASTEST = 0.01, 100.0  # times the recorded rate
 
 
 def replay(
-    recording: Annotated[Path, typer.Argument(metavar="RECORDING", help="Folder of a recorded run, CSV or Parquet.")],
-    to: Annotated[str, typer.Option(help="Where the datagrams go, HOST:PORT.")] = STANDARD_ADDRESS,
-    loop: Annotated[bool, typer.Option("--loop", help="Begin again at the end.")] = False,
-    speed: Annotated[float, typer.Option(help="How many times as fast as it was recorded.")] = 1.0,
+    recording: Annotated[Path, typer.Argument(metavar="RECORDING", help=help_text("cli-help-replay-recording"))],
+    to: Annotated[str, typer.Option(help=help_text("cli-help-replay-to"))] = STANDARD_ADDRESS,
+    loop: Annotated[bool, typer.Option("--loop", help=help_text("cli-help-replay-loop"))] = False,
+    speed: Annotated[float, typer.Option(help=help_text("cli-help-replay-speed"))] = 1.0,
     as_json: AsJson = False,
 ) -> None:
     """Play a recorded run as a shirt source: its frames as datagrams, at their own times. Ctrl-C ends it."""

@@ -8,6 +8,7 @@ import typer
 
 from app.cli.common_options import AsJson
 from app.cli.errors import InputError
+from app.cli.help_text import help_text
 from app.scoring.measures import CIRCUMSTANCES, REACHED, REACHED_NAME, TRIAL_MEASURES
 from app.texts import Text, text_of
 
@@ -25,16 +26,12 @@ FOLLOWING = ("dist_ratio", "e_diff", "cross_track_rms", "cross_track_max", "cros
 
 
 def score(
-    trajectory: Annotated[Path, typer.Argument(metavar="TRAJECTORY", help="CSV or Parquet with columns t, x, y.")],
-    path: Annotated[Path, typer.Argument(metavar="PATH", help="CSV or Parquet with columns x, y: the path's points.")],
-    goal_radius: Annotated[float, typer.Option(help="How near the path's end counts as reached, m.")] = 0.5,
+    trajectory: Annotated[Path, typer.Argument(metavar="TRAJECTORY", help=help_text("cli-help-score-trajectory"))],
+    path: Annotated[Path, typer.Argument(metavar="PATH", help=help_text("cli-help-score-path"))],
+    goal_radius: Annotated[float, typer.Option(help=help_text("cli-help-score-goal-radius"))] = 0.5,
     as_json: AsJson = False,
 ) -> None:
-    """Score a driven trajectory against a prescribed path; s and m.
-
-    A drive that ends no further along the path than it began, and not at its goal, has no measures of following. Two
-    loops around one place in opposite directions cancel in the area off the path; the distance driven counts both.
-    """
+    """Score a driven trajectory against a prescribed path; s and m."""
     if not 0 < goal_radius <= LARGEST_RADIUS:
         raise InputError(Text("cli-score-radius", radius=f"{goal_radius:g}", most=f"{LARGEST_RADIUS:g}"))
     measures = score_files(trajectory, path, goal_radius)

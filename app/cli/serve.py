@@ -13,6 +13,7 @@ import typer
 from app.cli.clinic_folder import keep_private, lock_folder
 from app.cli.common_options import State, folder_of
 from app.cli.errors import InputError
+from app.cli.help_text import help_text
 from app.cli.port import bind, bind_here, proxy_network, public_name
 from app.clock import utc_now
 from app.files import write_atomically
@@ -29,35 +30,19 @@ if TYPE_CHECKING:
     from app.store.database import Database
     from app.world.floorplan import FloorPlan
 
-Port = Annotated[int, typer.Option(min=0, max=65_535, help="The port to listen on; 0 takes any free one.")]
-Host = Annotated[str, typer.Option(help="The address to listen on, one of this machine alone.")]
+Port = Annotated[int, typer.Option(min=0, max=65_535, help=help_text("cli-help-port"))]
+Host = Annotated[str, typer.Option(help=help_text("cli-help-demo-host"))]
 ServePort = Annotated[
     int | None,
-    typer.Option(
-        min=0,
-        max=65_535,
-        help=f"The port to listen on: else {HTTP_PORT}, and {HTTPS_PORT} for https; 0 takes any free one.",
-    ),
+    typer.Option(min=0, max=65_535, show_default=f"{HTTP_PORT}, https: {HTTPS_PORT}", help=help_text("cli-help-port")),
 ]
-Hosts = Annotated[
-    list[str] | None,
-    typer.Option(
-        "--host", help="The address to listen on; with --lan one of this machine's, or several, instead of all."
-    ),
-]
-Network = Annotated[bool, typer.Option("--lan", help="Open the clinic to tablets in this network, over https.")]
-CertificateFile = Annotated[
-    Path | None, typer.Option("--certificate", help="A certificate of your own for --lan: a PEM file, with its chain.")
-]
-KeyFile = Annotated[Path | None, typer.Option("--key", help="The private key of that certificate: a PEM file.")]
-Plans = Annotated[list[Path] | None, typer.Option("--floorplan", help="A floor plan of your own to drive in, too.")]
-Proxy = Annotated[
-    str | None,
-    typer.Option(
-        "--behind-proxy", help="The address of the clinic's own reverse proxy, the only way in; needs --name."
-    ),
-]
-Name = Annotated[str | None, typer.Option(help="The name, or NAME:PORT, by which browsers reach the proxy.")]
+Hosts = Annotated[list[str] | None, typer.Option("--host", help=help_text("cli-help-serve-host"))]
+Network = Annotated[bool, typer.Option("--lan", help=help_text("cli-help-serve-lan"))]
+CertificateFile = Annotated[Path | None, typer.Option("--certificate", help=help_text("cli-help-serve-certificate"))]
+KeyFile = Annotated[Path | None, typer.Option("--key", help=help_text("cli-help-serve-key"))]
+Plans = Annotated[list[Path] | None, typer.Option("--floorplan", help=help_text("cli-help-demo-floorplan"))]
+Proxy = Annotated[str | None, typer.Option("--behind-proxy", help=help_text("cli-help-serve-behind-proxy"))]
+Name = Annotated[str | None, typer.Option(help=help_text("cli-help-serve-name"))]
 PATIENT = ("DEMO-1", "Kingfisher")
 NEWCOMER = ("DEMO-2", "Heron")
 

@@ -7,6 +7,7 @@ import typer
 
 from app.cli.common_options import State, settings_of
 from app.cli.errors import InputError
+from app.cli.help_text import help_text
 from app.cli.qr import terminal_code
 from app.file_modes import keep_new_files_private
 from app.hardware.shirt import sender
@@ -17,15 +18,12 @@ from app.texts import Text, text_of
 if TYPE_CHECKING:
     from app.hardware.chair.key import Key
 
-shirt_app = typer.Typer(
-    help="Pair with a shirt over the network; send as such a shirt does.",
-    no_args_is_help=True,
-    pretty_exceptions_enable=False,
-)
+shirt_app = typer.Typer(no_args_is_help=True, pretty_exceptions_enable=False)
 
 
 @shirt_app.command(
     "send",
+    help=help_text("cli-help-shirt-send"),
     add_help_option=False,  # the program has its own --help
     context_settings={"allow_extra_args": True, "ignore_unknown_options": True},
 )
@@ -34,7 +32,7 @@ def send(context: typer.Context) -> None:
     raise typer.Exit(sender.main(context.args, "bodydrive shirt send"))
 
 
-@shirt_app.command("pair")
+@shirt_app.command("pair", help=help_text("cli-help-shirt-pair"))
 def pair(
     state: State = None,
 ) -> None:

@@ -16,11 +16,13 @@ from cryptography.hazmat.primitives.asymmetric import ec
 from cryptography.x509.oid import ExtendedKeyUsageOID, NameOID
 
 from app.host.machine import Machine, Network
+from app.texts import Text
 
 ROOT_LIFE = dt.timedelta(days=3653)
 INTERMEDIATE_LIFE = dt.timedelta(days=1096)
 LEAF_LIFE = dt.timedelta(days=397)  # browsers refuse more than 398 days
 BACKDATED = dt.timedelta(days=1)  # a tablet's clock may be a little late
+LONGEST_TITLE = 64  # bytes of a common name (RFC 5280, appendix A)
 
 # Private, link-local and loopback networks, and the names that no public name server answers (RFC 6762, 6761).
 PRIVATE_NETWORKS = tuple(
@@ -65,11 +67,12 @@ def read_identity(certificate: bytes, key: bytes) -> Identity:
 def make_root(machine: Machine, now: dt.datetime) -> Identity:
     """Return a new root for this machine's names and networks."""
     key = ec.generate_private_key(ec.SECP256R1())
-    common = f"bodydrive on {machine.name or 'this machine'}, made {now:%Y-%m-%d}"
+    title = str(Text("host-authority-title", machine=machine.name or Text("host-nameless-machine"), day=now.date()))
+    common = title if len(title.encode()) <= LONGEST_TITLE else f"bodydrive, {now:%Y-%m-%d}"
     name = x509.Name(
         [
             x509.NameAttribute(NameOID.ORGANIZATION_NAME, "bodydrive"),
-            x509.NameAttribute(NameOID.COMMON_NAME, common if len(common) <= 64 else f"bodydrive, {now:%Y-%m-%d}"),
+            x509.NameAttribute(NameOID.COMMON_NAME, common),
         ]
     )
     # A network that a private one contains, such as 192.168.1.0/24, needs no entry of its own.

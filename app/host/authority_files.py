@@ -10,7 +10,7 @@ from app.texts import Text
 IDENTIFIER = "bodydrive.authority"
 
 
-def apple_profile(root: bytes, machine: str) -> bytes:
+def apple_profile(root: bytes, machine: Text | str) -> bytes:
     """Return the profile of a root (DER); the same root gives the same UUIDs, so that a second one replaces the first.
 
     The profile is not signed: no certificate that the device trusts already could sign it. A bare certificate would do,

@@ -17,7 +17,7 @@ SYSTEM_FOLDER = Path("/etc/systemd/system")
 
 UNIT = """\
 [Unit]
-Description=bodydrive: the clinic in {state}
+Description={description}
 After=network-online.target
 Wants=network-online.target
 
@@ -51,7 +51,7 @@ def unit(command: list[str], state: Path, account: str | None) -> str:
     """Return the text of the unit; with `account` one of the system that runs as this account, else a person's own."""
     return UNIT.format(
         command=" ".join(_quoted(word) for word in command),
-        state=_escaped(str(state)),
+        description=Text("host-service-description", folder=_escaped(str(state))),
         account="" if account is None else f"User={account}\n",
         rights="" if account is None else RIGHTS,
         target="default.target" if account is None else "multi-user.target",

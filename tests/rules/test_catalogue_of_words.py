@@ -13,7 +13,8 @@ REFUSALS = {
     *("OtherClinicRow", "PatientHere", "Refusal", "Unavailable"),
 }
 SENTENCE = re.compile(r"[A-Z“][^\n]* [^\n]* [^\n]*[.!]")
-FOR_DEVELOPERS = {"help", "description", "epilog", "summary"}  # keywords: of the command line, of OpenAPI
+FOR_DEVELOPERS = {"description", "summary"}  # keywords: of programs that people do not start, of OpenAPI
+HELPS = {"help", "short_help", "epilog"}  # keywords of typer
 # Files whose sentences nobody translates, each with the reason.
 ELSEWHERE = {
     "app/hardware/chair/receive.py": "runs alone on the board of a chair",
@@ -34,7 +35,7 @@ def texts_in(tree: ast.Module) -> Iterator[tuple[int, str]]:
             left_out.add(node.value)  # a docstring, or the description of a constant
         elif isinstance(node, ast.Call):
             left_out |= {keyword.value for keyword in node.keywords if keyword.arg in FOR_DEVELOPERS}
-            if ast.unparse(node.func).startswith(("logger.", "logging.", "typer.Option", "typer.Argument")):
+            if ast.unparse(node.func).startswith(("logger.", "logging.")):
                 left_out |= set(node.args)
         elif isinstance(node, ast.JoinedStr):
             left_out |= set(node.values)
@@ -72,3 +73,14 @@ def test_a_refusal_is_a_text() -> None:
         if isinstance(node, ast.Call) and ast.unparse(node.func) in REFUSALS and any(map(has_words, node.args))
     ]
     assert [place for place in found if place[0] not in ELSEWHERE] == []
+
+
+def test_a_help_of_the_command_line_is_from_the_catalogue() -> None:
+    found = [
+        (str(file.relative_to(ROOT)), node.value.lineno)
+        for file in FILES
+        if file.is_relative_to(ROOT / "app" / "cli")
+        for node in ast.walk(ast.parse(file.read_text()))
+        if isinstance(node, ast.keyword) and node.arg in HELPS and not ast.unparse(node.value).startswith("help_text(")
+    ]
+    assert found == []

@@ -10,6 +10,7 @@ import typer
 
 from app.cli.common_options import AsJson
 from app.cli.errors import InputError
+from app.cli.help_text import help_text
 from app.cli.output import dialect_summary, print_dialect, warn, write_output
 from app.number_format import percent
 from app.plain_table import BETWEEN, column_widths, table_lines
@@ -38,34 +39,21 @@ MapChoice = Literal["pca", "guided", "prior", "best"]
 
 
 def calibrate(
-    signals: Annotated[Path, typer.Argument(metavar="SIGNALS", help="CSV or Parquet, or the folder of a recording.")],
+    signals: Annotated[Path, typer.Argument(metavar="SIGNALS", help=help_text("cli-help-signals"))],
     *,
-    layout: Annotated[Path, typer.Option(help="The shirt's layout, JSON.")],
-    out: Annotated[Path, typer.Option(help="Where the calibration profile goes, JSON.")],
-    prompts: Annotated[
-        Path | None,
-        typer.Option(
-            help="CSV start,end,joint: when which joint moved towards its gesture; every row counts. Fixes the sign."
-        ),
+    layout: Annotated[Path, typer.Option(help=help_text("cli-help-layout"))],
+    out: Annotated[Path, typer.Option(help=help_text("cli-help-calibrate-out"))],
+    prompts: Annotated[Path | None, typer.Option(help=help_text("cli-help-calibrate-prompts"))] = None,
+    start: Annotated[float | None, typer.Option("--from", help=help_text("cli-help-calibrate-from"))] = None,
+    end: Annotated[float | None, typer.Option("--to", help=help_text("cli-help-calibrate-to"))] = None,
+    rest_start: Annotated[
+        float | None, typer.Option("--rest-from", help=help_text("cli-help-calibrate-rest-from"))
     ] = None,
-    start: Annotated[float | None, typer.Option("--from", help="Where the free movement begins, s.")] = None,
-    end: Annotated[float | None, typer.Option("--to", help="Where the free movement ends, s.")] = None,
-    rest_start: Annotated[float | None, typer.Option("--rest-from", help="Where the rest begins, s.")] = None,
-    rest_end: Annotated[float | None, typer.Option("--rest-to", help="Where the rest ends, s.")] = None,
-    unused: Annotated[list[str] | None, typer.Option(help="A channel not to be used; may be given again.")] = None,
-    prior: Annotated[
-        Path | None, typer.Option(help="What `bodydrive prior` wrote of other people in the same shirt.")
-    ] = None,
-    chosen: Annotated[
-        MapChoice,
-        typer.Option(
-            "--map",
-            help="Which calibration drives: standard, learnt from the cues, from other people, or the best.",
-        ),
-    ] = "pca",
-    gestures: Annotated[
-        bool, typer.Option("--gestures", help="Rank every gesture that was found, there and back, and suggest four.")
-    ] = False,
+    rest_end: Annotated[float | None, typer.Option("--rest-to", help=help_text("cli-help-calibrate-rest-to"))] = None,
+    unused: Annotated[list[str] | None, typer.Option(help=help_text("cli-help-calibrate-unused"))] = None,
+    prior: Annotated[Path | None, typer.Option(help=help_text("cli-help-calibrate-prior"))] = None,
+    chosen: Annotated[MapChoice, typer.Option("--map", help=help_text("cli-help-calibrate-map"))] = "pca",
+    gestures: Annotated[bool, typer.Option("--gestures", help=help_text("cli-help-calibrate-gestures"))] = False,
     as_json: AsJson = False,
 ) -> None:
     """Fit a calibration profile to a file of signals: per joint its main movement, span, sign and thresholds."""

@@ -12,6 +12,7 @@ import typer
 from app.cli.clinic_folder import open_clinic
 from app.cli.common_options import COMMAND_LINE, AsJson, State, settings_of
 from app.cli.errors import InputError
+from app.cli.help_text import help_text
 from app.cli.output import write_output
 from app.features import names
 from app.number_format import percent
@@ -25,32 +26,20 @@ if TYPE_CHECKING:
     from app.store.database import Transaction
 
 
-prior_app = typer.Typer(
-    help="Learn from other people in the same shirt, so that somebody new drives before being calibrated.",
-    no_args_is_help=True,
-    pretty_exceptions_enable=False,
-)
-PriorFile = Annotated[Path, typer.Argument(metavar="PRIOR.json", help="The prior; it is made when there is none.")]
-Person = Annotated[str, typer.Option(help="A code for the person: letters, digits, dots and dashes, no name.")]
+prior_app = typer.Typer(no_args_is_help=True, pretty_exceptions_enable=False)
+PriorFile = Annotated[Path, typer.Argument(metavar="PRIOR.json", help=help_text("cli-help-prior-file"))]
+Person = Annotated[str, typer.Option(help=help_text("cli-help-prior-person"))]
 
 
-@prior_app.command("add")
+@prior_app.command("add", help=help_text("cli-help-prior-add"))
 def add(
     prior: PriorFile,
-    signals: Annotated[
-        list[Path],
-        typer.Argument(
-            metavar="SIGNALS...", help="CSV, Parquet or a recording's folder; all recordings of the person."
-        ),
-    ],
+    signals: Annotated[list[Path], typer.Argument(metavar="SIGNALS...", help=help_text("cli-help-prior-add-signals"))],
     *,
-    layout: Annotated[Path, typer.Option(help="The shirt's layout, JSON.")],
-    prompts: Annotated[
-        list[Path],
-        typer.Option(help="CSV start,end,joint: when which joint moved towards its gesture. One for each of SIGNALS."),
-    ],
+    layout: Annotated[Path, typer.Option(help=help_text("cli-help-layout"))],
+    prompts: Annotated[list[Path], typer.Option(help=help_text("cli-help-prior-add-prompts"))],
     person: Person,
-    start: Annotated[float | None, typer.Option("--from", help="Where ten seconds of free movement begin, s.")] = None,
+    start: Annotated[float | None, typer.Option("--from", help=help_text("cli-help-prior-add-from"))] = None,
     as_json: AsJson = False,
 ) -> None:
     """Add a person's recordings to a prior. A person who is in it already is replaced."""
@@ -101,7 +90,7 @@ def add(
     typer.echo(done)
 
 
-@prior_app.command("remove")
+@prior_app.command("remove", help=help_text("cli-help-prior-remove"))
 def remove(prior: PriorFile, *, person: Person) -> None:
     """Take a person out of a prior, as if this person had never been added."""
     from app.calibration.prior.documents import OwnPrior
@@ -114,7 +103,7 @@ def remove(prior: PriorFile, *, person: Person) -> None:
     typer.echo(Text("cli-prior-removed", person=person, prior=str(prior)))
 
 
-@prior_app.command("show")
+@prior_app.command("show", help=help_text("cli-help-prior-show"))
 def show(prior: PriorFile, *, as_json: AsJson = False) -> None:
     """Show per joint and gesture what a prior knows: people, seconds, strokes and their rates, ranges of channels."""
     from app.calibration.prior.documents import FEWEST_PEOPLE, OwnPrior
@@ -167,21 +156,14 @@ def show(prior: PriorFile, *, as_json: AsJson = False) -> None:
         typer.echo(Text("cli-prior-too-few", people=FEWEST_PEOPLE))
 
 
-@prior_app.command("merge")
+@prior_app.command("merge", help=help_text("cli-help-prior-merge", "cli-help-prior-merge-released"))
 def merge(
-    priors: Annotated[list[Path], typer.Argument(metavar="PRIORS...", help="Own priors or releases.")],
+    priors: Annotated[list[Path], typer.Argument(metavar="PRIORS...", help=help_text("cli-help-prior-merge-priors"))],
     *,
-    out: Annotated[Path, typer.Option(help="Where the result goes: a .json file.")],
-    own: Annotated[
-        bool, typer.Option("--own", help="Keep an entry per person. The result must not leave the clinic.")
-    ] = False,
+    out: Annotated[Path, typer.Option(help=help_text("cli-help-prior-merge-out"))],
+    own: Annotated[bool, typer.Option("--own", help=help_text("cli-help-prior-merge-own"))] = False,
 ) -> None:
-    """Add priors up. The result holds sums over eight people or more, and nobody's entry: it may leave the clinic.
-
-    An own prior keeps who was released, because nobody may be in two releases: of a prior that has grown, only the
-    people who are new are released, and releases are added up. The files of the own priors that are released are
-    written again for that.
-    """
+    """Add priors up: to a release, or to an own prior with an entry per person."""
     from app.calibration.prior.map_prior import PriorError, union_of_people
     from app.cli.calibration.prior_files import bytes_of, read_document, write_release
 
@@ -201,12 +183,10 @@ def merge(
 
 
 def export_prior(
-    out: Annotated[Path, typer.Option(metavar="PRIOR.json", help="Where the prior goes.")],
-    layout: Annotated[Path, typer.Option(help="The layout of the worn shirt, JSON.")],
+    out: Annotated[Path, typer.Option(metavar="PRIOR.json", help=help_text("cli-help-prior-export-out"))],
+    layout: Annotated[Path, typer.Option(help=help_text("cli-help-prior-export-layout"))],
     *,
-    release: Annotated[
-        bool, typer.Option("--release", help="Only sums over eight people or more, all of whom consent to sharing.")
-    ] = False,
+    release: Annotated[bool, typer.Option("--release", help=help_text("cli-help-prior-export-release"))] = False,
     state: State = None,
 ) -> None:
     """Write what the clinic knows of patients in a worn shirt. Without --release it must not leave the clinic."""
@@ -240,7 +220,7 @@ def export_prior(
 
 
 def import_prior(
-    prior: Annotated[Path, typer.Argument(metavar="PRIOR.json", help="A clinic's own prior, as `export` writes it.")],
+    prior: Annotated[Path, typer.Argument(metavar="PRIOR.json", help=help_text("cli-help-prior-import-file"))],
     *,
     state: State = None,
 ) -> None:
@@ -275,8 +255,8 @@ def import_prior(
 
 
 if "prior" in names():  # a clinic keeps one
-    prior_app.command("export")(export_prior)
-    prior_app.command("import")(import_prior)
+    prior_app.command("export", help=help_text("cli-help-prior-export"))(export_prior)
+    prior_app.command("import", help=help_text("cli-help-prior-import"))(import_prior)
 
 
 def _own_prior(db: "Transaction", layout: "ShirtLayout", *, to_share: bool) -> "OwnPrior":

@@ -8,7 +8,8 @@ from typing import TYPE_CHECKING, Annotated
 
 import typer
 
-from app.cli.common_options import State, folder_of
+from app.cli.common_options import AsJson, State, folder_of
+from app.cli.help_text import help_text
 from app.texts import Text
 
 if TYPE_CHECKING:
@@ -18,13 +19,13 @@ MARKS = {"good": "  ", "attention": "! ", "bad": "!!"}
 
 
 def check(
-    seconds: Annotated[int, typer.Option(min=1, max=600, help="How long to measure the loop.")] = 10,
+    seconds: Annotated[int, typer.Option(min=1, max=600, help=help_text("cli-help-check-seconds"))] = 10,
     state: State = None,
     own_ports: Annotated[
         list[int] | None,
-        typer.Option("--own-port", min=1, max=65_535, help="A port of the clinic that runs, instead of the usual two."),
+        typer.Option("--own-port", min=1, max=65_535, help=help_text("cli-help-check-own-port")),
     ] = None,
-    as_json: Annotated[bool, typer.Option("--json", help="Print the findings as one JSON document.")] = False,
+    as_json: AsJson = False,
 ) -> None:
     """Measure what this computer grants, and say whether it is good enough for driving; exit code 1 when it is not."""
     from app.host.machine_check import summary

@@ -9,16 +9,15 @@ import typer
 
 from app.cli.common_options import State, folder_of
 from app.cli.errors import InputError
+from app.cli.help_text import help_text
 from app.refusals import Refusal
 from app.texts import Text, text_of
 
-service_app = typer.Typer(help="Let the machine start the clinic by itself.", no_args_is_help=True)
+service_app = typer.Typer(no_args_is_help=True)
 
-System = Annotated[
-    bool, typer.Option("--system", help="A unit of the system, which starts with the machine; needs sudo.")
-]
-Account = Annotated[str | None, typer.Option(help="With --system: the account that owns the clinic, not root.")]
-OnlyPrint = Annotated[bool, typer.Option("--print", help="Print the unit, and change nothing.")]
+System = Annotated[bool, typer.Option("--system", help=help_text("cli-help-service-install-system"))]
+Account = Annotated[str | None, typer.Option(help=help_text("cli-help-service-install-account"))]
+OnlyPrint = Annotated[bool, typer.Option("--print", help=help_text("cli-help-service-install-print"))]
 
 
 @service_app.callback()
@@ -26,7 +25,7 @@ def _service() -> None:
     """Make `install` a command of its own: typer would drop the name of an only one."""
 
 
-@service_app.command("install")
+@service_app.command("install", help=help_text("cli-help-service-install"))
 def install_service(
     system: System = False, account: Account = None, only_print: OnlyPrint = False, state: State = None
 ) -> None:

@@ -9,21 +9,18 @@ import typer
 from app.cli.clinic_folder import open_clinic
 from app.cli.common_options import COMMAND_LINE, State, settings_of
 from app.cli.errors import InputError
+from app.cli.help_text import help_text
 from app.cli.records.written_files import patient_named, written_whole
 from app.refusals import Refusal
 from app.texts import Text, text_of
 
-archive_app = typer.Typer(
-    help="Take a whole patient to another clinic: sessions, controls, trials, recordings.",
-    no_args_is_help=True,
-    pretty_exceptions_enable=False,
-)
+archive_app = typer.Typer(no_args_is_help=True, pretty_exceptions_enable=False)
 
 
-@archive_app.command("make")
+@archive_app.command("make", help=help_text("cli-help-archive-make"))
 def make(
-    patient: Annotated[str, typer.Argument(metavar="PATIENT", help="The code of the patient.")],
-    out: Annotated[Path, typer.Option(metavar="FILE", help="The archive to write.")],
+    patient: Annotated[str, typer.Argument(metavar="PATIENT", help=help_text("cli-help-patient"))],
+    out: Annotated[Path, typer.Option(metavar="FILE", help=help_text("cli-help-archive-make-out"))],
     state: State = None,
 ) -> None:
     """Write the archive of a patient, who must have consented; the clinic may be open meanwhile."""
@@ -44,12 +41,10 @@ def make(
     typer.echo(Text("cli-archive-made", file=str(out), hash=digest))
 
 
-@archive_app.command("import")
+@archive_app.command("import", help=help_text("cli-help-archive-import"))
 def import_file(
-    file: Annotated[Path, typer.Argument(metavar="FILE", help="The archive.")],
-    replace: Annotated[
-        bool, typer.Option("--replace", help="Replace the patient who is here; first an archive of it is kept.")
-    ] = False,
+    file: Annotated[Path, typer.Argument(metavar="FILE", help=help_text("cli-help-archive-import-file"))],
+    replace: Annotated[bool, typer.Option("--replace", help=help_text("cli-help-archive-import-replace"))] = False,
     state: State = None,
 ) -> None:
     """Import an archive; the same one once more changes nothing."""

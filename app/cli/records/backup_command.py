@@ -12,6 +12,7 @@ import typer
 from app.cli.clinic_folder import FolderInUseError, lock_folder, open_clinic
 from app.cli.common_options import COMMAND_LINE, AsJson, State, settings_of
 from app.cli.errors import InputError
+from app.cli.help_text import help_text
 from app.cli.records.written_files import utc_time
 from app.file_modes import keep_new_files_private
 from app.refusals import Refusal
@@ -27,16 +28,10 @@ SHORTEST = 8  # characters
 
 
 def backup(
-    target: Annotated[Path, typer.Argument(metavar="FILE", help="The file to make, or a folder of backups.")],
-    encrypt: Annotated[
-        bool, typer.Option("--encrypt", help=f"Encrypt it with a passphrase, asked for or in {PASSPHRASE}.")
-    ] = False,
-    with_keys: Annotated[
-        bool, typer.Option("--with-keys", help="Back the keys of the chairs and of the clinic up, too.")
-    ] = False,
-    check: Annotated[
-        bool, typer.Option("--check", help="Make none: read the backup FILE and check all of it.")
-    ] = False,
+    target: Annotated[Path, typer.Argument(metavar="FILE", help=help_text("cli-help-backup-file"))],
+    encrypt: Annotated[bool, typer.Option("--encrypt", help=help_text("cli-help-backup-encrypt"))] = False,
+    with_keys: Annotated[bool, typer.Option("--with-keys", help=help_text("cli-help-backup-with-keys"))] = False,
+    check: Annotated[bool, typer.Option("--check", help=help_text("cli-help-backup-check"))] = False,
     state: State = None,
     as_json: AsJson = False,
 ) -> None:
@@ -73,10 +68,8 @@ def backup(
 
 
 def restore(
-    source: Annotated[Path, typer.Argument(metavar="FILE", help="A backup; in a folder of backups, one of its files.")],
-    erased: Annotated[
-        Path | None, typer.Option("--erased", help="A newer erased-patients.json, so that those patients stay erased.")
-    ] = None,
+    source: Annotated[Path, typer.Argument(metavar="FILE", help=help_text("cli-help-restore-file"))],
+    erased: Annotated[Path | None, typer.Option("--erased", help=help_text("cli-help-restore-erased"))] = None,
     state: State = None,
     as_json: AsJson = False,
 ) -> None:

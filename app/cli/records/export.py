@@ -9,6 +9,7 @@ import typer
 from app.cli.clinic_folder import open_clinic
 from app.cli.common_options import COMMAND_LINE, State, settings_of
 from app.cli.errors import InputError
+from app.cli.help_text import help_text
 from app.cli.records.written_files import patient_named, written_whole
 from app.features.exports.forms import FORMS, Form
 from app.refusals import Refusal
@@ -20,12 +21,12 @@ if TYPE_CHECKING:
 
 
 def export(
-    patient: Annotated[str, typer.Argument(metavar="PATIENT", help="The code of the patient.")],
-    out: Annotated[Path, typer.Option(metavar="FILE", help="The zip file to write.")],
-    form: Annotated[str, typer.Option("--format", metavar="FORMAT", help=f"One of {', '.join(FORMS)}.")] = "csv",
-    session: Annotated[
-        int | None, typer.Option(metavar="N", help="The number of one session; without: all sessions.")
-    ] = None,
+    patient: Annotated[str, typer.Argument(metavar="PATIENT", help=help_text("cli-help-patient"))],
+    out: Annotated[Path, typer.Option(metavar="FILE", help=help_text("cli-help-export-out"))],
+    form: Annotated[
+        str, typer.Option("--format", metavar="|".join(FORMS), help=help_text("cli-help-export-format"))
+    ] = "csv",
+    session: Annotated[int | None, typer.Option(metavar="N", help=help_text("cli-help-export-session"))] = None,
     state: State = None,
 ) -> None:
     """Export a patient's recordings and measures; the clinic may be open meanwhile. The patient must have consented."""

@@ -10,20 +10,16 @@ import typer
 from app.cli.clinic_folder import open_clinic
 from app.cli.common_options import COMMAND_LINE, AsJson, State, settings_of
 from app.cli.errors import InputError
+from app.cli.help_text import help_text
 from app.cli.records.written_files import utc_time
 from app.refusals import Refusal
 from app.texts import Text, text_of
 
 
 def incident(
-    file: Annotated[Path, typer.Argument(metavar="FILE", help="The archive to make, or with --check to read.")],
-    check: Annotated[
-        bool, typer.Option("--check", help="Make none: check every hash and the signature of the archive FILE.")
-    ] = False,
-    public: Annotated[
-        Path | None,
-        typer.Option("--public-key", help="With --check: the clinic's public key (PEM), not the one inside."),
-    ] = None,
+    file: Annotated[Path, typer.Argument(metavar="FILE", help=help_text("cli-help-incident-file"))],
+    check: Annotated[bool, typer.Option("--check", help=help_text("cli-help-incident-check"))] = False,
+    public: Annotated[Path | None, typer.Option("--public-key", help=help_text("cli-help-incident-public-key"))] = None,
     state: State = None,
     as_json: AsJson = False,
 ) -> None:

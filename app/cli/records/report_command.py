@@ -9,6 +9,7 @@ import typer
 from app.cli.clinic_folder import open_clinic
 from app.cli.common_options import COMMAND_LINE, State, settings_of
 from app.cli.errors import InputError
+from app.cli.help_text import help_text
 from app.cli.output import check_new_folder, write_output
 from app.cli.records.written_files import patient_named
 from app.refusals import Conflict, Refusal
@@ -19,21 +20,13 @@ if TYPE_CHECKING:
 
 
 def report(
-    patient: Annotated[str, typer.Argument(metavar="PATIENT", help="The code of the patient.")],
-    out: Annotated[Path, typer.Option(metavar="FILE", help="The file to write: its suffix is .pdf or .html.")],
-    session: Annotated[
-        int | None, typer.Option(metavar="N", help="The number of one session; without: the course of all sessions.")
-    ] = None,
-    letter: Annotated[bool, typer.Option("--letter", help="Letter paper instead of A4.")] = False,
-    for_patient: Annotated[
-        bool, typer.Option("--for-patient", help="A copy for the patient: needs no consent to sharing outside.")
-    ] = False,
+    patient: Annotated[str, typer.Argument(metavar="PATIENT", help=help_text("cli-help-patient"))],
+    out: Annotated[Path, typer.Option(metavar="FILE", help=help_text("cli-help-report-out"))],
+    session: Annotated[int | None, typer.Option(metavar="N", help=help_text("cli-help-report-session"))] = None,
+    letter: Annotated[bool, typer.Option("--letter", help=help_text("cli-help-report-letter"))] = False,
+    for_patient: Annotated[bool, typer.Option("--for-patient", help=help_text("cli-help-report-for-patient"))] = False,
     language: Annotated[
-        str | None,
-        typer.Option(
-            metavar="LANGUAGE",
-            help=f"The language of the report, one of {', '.join(LANGUAGES)}; without: that of the terminal.",
-        ),
+        str | None, typer.Option(metavar="|".join(LANGUAGES), help=help_text("cli-help-report-language"))
     ] = None,
     state: State = None,
 ) -> None:

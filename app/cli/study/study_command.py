@@ -10,6 +10,7 @@ import typer
 
 from app.cli.common_options import AsJson
 from app.cli.errors import InputError
+from app.cli.help_text import help_text
 from app.cli.output import check_new_folder
 from app.study.choices import FigureChoice, Mode, PersonKind, StudyMap
 from app.texts import Text
@@ -31,36 +32,24 @@ OF_A_STUDY = re.compile(
 
 
 def study(
-    out: Annotated[Path, typer.Option(help="Folder to write; it must be new or empty.")],
-    trials: Annotated[
-        int | None, typer.Option(min=1, max=MOST_TRIALS, help="How often the path is driven: 22, or 3 a session.")
-    ] = None,
-    seed: Annotated[int, typer.Option(min=0, max=LARGEST_SEED, help="The same seed gives the same numbers.")] = 1,
-    seeds: Annotated[int, typer.Option(min=1, max=MOST_SEEDS, help="How many people, from --seed on.")] = 1,
+    out: Annotated[Path, typer.Option(help=help_text("cli-help-study-out"))],
+    trials: Annotated[int | None, typer.Option(min=1, max=MOST_TRIALS, help=help_text("cli-help-study-trials"))] = None,
+    seed: Annotated[int, typer.Option(min=0, max=LARGEST_SEED, help=help_text("cli-help-study-seed"))] = 1,
+    seeds: Annotated[int, typer.Option(min=1, max=MOST_SEEDS, help=help_text("cli-help-study-seeds"))] = 1,
     *,
-    floorplan: Annotated[str, typer.Option(help="Name of a bundled floor plan, or a JSON file.")] = "clinic",
-    path: Annotated[str | None, typer.Option(help="Name of a path in it; the first when not given.")] = None,
-    figures: Annotated[FigureChoice, typer.Option("--format", help="Of the figures; none leaves them out.")] = "png",
-    no_learning: Annotated[bool, typer.Option("--no-learning", help="Nothing that is practised stays.")] = False,
-    overwrite: Annotated[bool, typer.Option("--overwrite", help="Replace what the folder holds.")] = False,
-    adapt: Annotated[
-        Mode | None, typer.Option(help="Over sessions: let the calibration follow the person, against a fixed one.")
-    ] = None,
-    person: Annotated[PersonKind, typer.Option(help="Over sessions: what happens to body or shirt.")] = "deteriorating",
-    map_kind: Annotated[
-        StudyMap,
-        typer.Option("--map", help="With --adapt: standard calibration, or what cues or other people teach."),
-    ] = "pca",
-    sessions: Annotated[
-        int, typer.Option(min=1, max=MOST_SESSIONS, help="How many, with --adapt or --interface-test.")
-    ] = 10,
+    floorplan: Annotated[str, typer.Option(help=help_text("cli-help-study-floorplan"))] = "clinic",
+    path: Annotated[str | None, typer.Option(help=help_text("cli-help-study-path"))] = None,
+    figures: Annotated[FigureChoice, typer.Option("--format", help=help_text("cli-help-study-format"))] = "png",
+    no_learning: Annotated[bool, typer.Option("--no-learning", help=help_text("cli-help-study-no-learning"))] = False,
+    overwrite: Annotated[bool, typer.Option("--overwrite", help=help_text("cli-help-study-overwrite"))] = False,
+    adapt: Annotated[Mode | None, typer.Option(help=help_text("cli-help-study-adapt"))] = None,
+    person: Annotated[PersonKind, typer.Option(help=help_text("cli-help-study-person"))] = "deteriorating",
+    map_kind: Annotated[StudyMap, typer.Option("--map", help=help_text("cli-help-study-map"))] = "pca",
+    sessions: Annotated[int, typer.Option(min=1, max=MOST_SESSIONS, help=help_text("cli-help-study-sessions"))] = 10,
     interface_test: Annotated[
-        bool, typer.Option("--interface-test", help="Over sessions: the two-minute test before the trials of each.")
+        bool, typer.Option("--interface-test", help=help_text("cli-help-study-interface-test"))
     ] = False,
-    jobs: Annotated[
-        int | None,
-        typer.Option(min=1, max=MOST_JOBS, help="Processes at once; as many as processors when not given."),
-    ] = None,
+    jobs: Annotated[int | None, typer.Option(min=1, max=MOST_JOBS, help=help_text("cli-help-study-jobs"))] = None,
     as_json: AsJson = False,
 ) -> None:
     """Let a simulated person calibrate, then drive a path again and again, and score every trial."""

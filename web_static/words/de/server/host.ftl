@@ -44,12 +44,18 @@ host-certificate-unreadable = { $file } ist nicht lesbar ({ $why }). Geben Sie d
 host-certificate-no-pair = { $certificate } und { $key } sind kein Zertifikat mit seinem Schlüssel: Beide müssen PEM-Dateien sein und zusammengehören, und der Schlüssel darf keine Passphrase haben.
 host-certificate-ended = Das Zertifikat { $file } ist am { $day } abgelaufen, und die Uhr dieses Rechners zeigt { $today }. Ersetzen Sie die Datei durch ein neues Zertifikat, oder stellen Sie die Uhr.
 host-certificate-early-clock = Das Zertifikat { $file } gilt ab { $day }, und die Uhr dieses Rechners zeigt { $today }. Stellen Sie die Uhr.
+# The name of the certificate in the settings of a device.
+host-authority-title = bodydrive auf { $machine }, erstellt am { $day }
+# Stands for $machine when the machine has no name.
+host-nameless-machine = diesem Rechner
 # The settings of an iPad show these two, of the file that lets it trust the clinic's machine.
 host-profile-title = bodydrive auf { $machine }
 host-profile-explanation = Damit vertraut dieses Gerät dem Rechner Ihrer Klinik, auf dem bodydrive läuft, und sonst nichts: Das Zertifikat gilt nur für diesen Rechner und für private Netze.
 
 ## The service that starts the clinic with the machine
 
+# What systemd says of the service.
+host-service-description = bodydrive: die Klinik in { $folder }
 host-service-no-systemd = Dieser Rechner hat kein systemd. Lassen Sie ihn den Befehl von --print auf seine eigene Weise starten.
 host-service-unwritable = { $file } kann nicht geschrieben werden ({ $why }). Mit --system rufen Sie dies mit sudo auf.
 host-service-refused = { $file } ist geschrieben, aber systemd hat die Datei nicht angenommen ({ $why }). Beheben Sie das, und versuchen Sie es dann noch einmal.

@@ -44,12 +44,18 @@ host-certificate-unreadable = { $file } cannot be read ({ $why }): name the file
 host-certificate-no-pair = { $certificate } and { $key } are no certificate and its key: both must be PEM files, the key without a passphrase, and belong together.
 host-certificate-ended = The certificate { $file } ended on { $day }, and this machine's clock shows { $today }: replace the file by a new certificate, or set the clock.
 host-certificate-early-clock = The certificate { $file } begins on { $day }, and this machine's clock shows { $today }: set the clock.
+# The name of the certificate in the settings of a device.
+host-authority-title = bodydrive on { $machine }, made { $day }
+# Stands for $machine when the machine has no name.
+host-nameless-machine = this machine
 # The settings of an iPad show these two, of the file that lets it trust the clinic's machine.
 host-profile-title = bodydrive on { $machine }
 host-profile-explanation = Lets this device trust the machine of your clinic that runs bodydrive, and nothing else: the certificate is limited to this machine and to private networks.
 
 ## The service that starts the clinic with the machine
 
+# What systemd says of the service.
+host-service-description = bodydrive: the clinic in { $folder }
 host-service-no-systemd = This machine has no systemd: let it start the command of --print by its own means.
 host-service-unwritable = { $file } cannot be written ({ $why }): with --system, run this with sudo.
 host-service-refused = { $file } is written, but systemd did not take it ({ $why }): see to it, then try again.

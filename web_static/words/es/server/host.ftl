@@ -44,12 +44,18 @@ host-certificate-unreadable = { $file } no se puede leer ({ $why }): indique los
 host-certificate-no-pair = { $certificate } y { $key } no son un certificado y su clave: ambos deben ser archivos PEM, la clave sin frase de contraseña, y deben corresponderse.
 host-certificate-ended = El certificado { $file } caducó el { $day }, y el reloj de este equipo marca { $today }: sustituya el archivo por un certificado nuevo, o ponga el reloj en hora.
 host-certificate-early-clock = El certificado { $file } vale a partir del { $day }, y el reloj de este equipo marca { $today }: ponga el reloj en hora.
+# The name of the certificate in the settings of a device.
+host-authority-title = bodydrive en { $machine }, creado el { $day }
+# Stands for $machine when the machine has no name.
+host-nameless-machine = este equipo
 # The settings of an iPad show these two, of the file that lets it trust the clinic's machine.
 host-profile-title = bodydrive en { $machine }
 host-profile-explanation = Permite que este dispositivo confíe en el equipo de su clínica en el que funciona bodydrive, y en nada más: el certificado se limita a ese equipo y a redes privadas.
 
 ## The service that starts the clinic with the machine
 
+# What systemd says of the service.
+host-service-description = bodydrive: la clínica de { $folder }
 host-service-no-systemd = Este equipo no tiene systemd: haga que inicie por sus propios medios el comando que muestra --print.
 host-service-unwritable = No se puede escribir { $file } ({ $why }): con --system, ejecute esto con sudo.
 host-service-refused = { $file } está escrito, pero systemd no lo aceptó ({ $why }): resuélvalo e inténtelo de nuevo.
