@@ -1,12 +1,13 @@
 /** The page around the workbench: saves the plan under a name, and asks before unsaved changes are lost. */
 import { drawFoot, drawPage, Fragment, h, signal } from "../preact.js";
 import { t } from "../texts.js";
-import { Made } from "../widgets/made.js";
 import { sendUnderName } from "../widgets/same_name.js";
 import { Answer, AskCard } from "./ask_card.js";
 import { nameFrom } from "./document.js";
 import { storeDraft } from "./draft_store.js";
-import { workbench } from "./workbench.js";
+import { planSheet } from "./sheet.js";
+import { editorStore } from "./store.js";
+import { Workbench } from "./workbench.js";
 
 /**
  * @typedef {import("./document.js").Plan} Plan
@@ -32,18 +33,19 @@ export function showPlan(app, root, { draft: first, plans, models, left }) {
     const isStored = storeDraft(next);
     window.onbeforeunload = !isStored && next.dirty ? (event) => event.preventDefault() : null;
   };
-  const bench = workbench(app, {
+  const store = editorStore(app, {
     plan: first.document,
     models,
-    signal: left,
+    left,
     onChange: (document) => keep({ ...draft.value, document, dirty: true }),
   });
+  const sheet = planSheet(store);
 
   /** Save the plan, and tell whether it was saved. @param {(document: Plan) => Promise<OwnPlanView | null>} send */
   async function saveBy(send) {
     isSaving.value = true;
     const isSaved = await app.toasts.attempt(async () => {
-      const document = bench.plan();
+      const document = store.finish();
       const answer = await send(document);
       if (!answer) return false;
       keep({ document: { ...document, name: answer.name }, name: answer.name, version: answer.version, dirty: false });
@@ -139,10 +141,6 @@ export function showPlan(app, root, { draft: first, plans, models, left }) {
   document.addEventListener("click", askBeforeLeaving, { capture: true, signal: left });
   left.addEventListener("abort", () => (window.onbeforeunload = null));
   root.classList.add("plan-page");
-  drawPage(
-    root,
-    h(Fragment, {}, h(Head, {}), h(Ask, {}), h(Made, { class: "in-place", left, make: () => bench.element })),
-    "in-place",
-  );
+  drawPage(root, h(Fragment, {}, h(Head, {}), h(Ask, {}), h(Workbench, { store, sheet })), "in-place");
   drawFoot(root, h(Foot, {}));
 }
