@@ -1,13 +1,17 @@
-/** The page of the patient's screen: paired by a link, shown during the session, with a word of thanks at its end. */
+/**
+ * The page of the patient's screen: paired by a link, shown during the session, with a word of thanks at its end.
+ * @import { ComponentChildren } from "./preact.js"
+ */
 import { readReference } from "./reference.js";
 import { Api, failureWords } from "./api.js";
 import { LANGUAGE } from "./language.js";
 import { Live } from "./live/live.js";
-import { h, put, write } from "./widgets/dom.js";
-import { field } from "./widgets/fields.js";
+import { Fragment, h, render, useRef, useSignal } from "./preact.js";
+import { Field } from "./widgets/fields.js";
 import { practiceMark, readPractice } from "./shell/practice_mark.js";
 import { followSystem } from "./shell/theme.js";
-import { showScreen } from "./patient/screen.js";
+import { Screen } from "./patient/screen.js";
+import { screenStore } from "./patient/store.js";
 import { stayAwake } from "./patient/wake.js";
 import { t } from "./texts.js";
 
@@ -20,7 +24,7 @@ class PatientPage {
   /** @type {Live<import("./live/live.js").PatientMessage>} */
   #live = new Live(`/api/v1/patient/live?language=${LANGUAGE}`);
   #screen = new AbortController();
-  #root = h("main", { class: "patient" });
+  #root = document.createElement("main");
   #practice = practiceMark();
   #isShowing = false;
   #pause = FIRST_PAUSE;
@@ -28,6 +32,7 @@ class PatientPage {
 
   async start() {
     document.title = t("patient-title");
+    this.#root.className = "patient";
     document.body.replaceChildren(this.#root, this.#practice.element);
     stayAwake();
     // After either event the pairing may have ended: ask the server for its state.
@@ -85,7 +90,7 @@ class PatientPage {
     this.#isShowing = true;
     this.#screen = new AbortController();
     this.#live.open();
-    showScreen(this.#root, this.#live, this.#screen.signal);
+    render(h(Screen, { store: screenStore(this.#root, this.#live, this.#screen.signal) }), this.#root);
   }
 
   /** @param {"over" | "unpaired" | "none"} state @param {string} words instead of the usual ones */
@@ -93,21 +98,20 @@ class PatientPage {
     this.#isShowing = false;
     this.#screen.abort();
     this.#live.close();
-    this.#say(t(`patient-${state}-title`), words || t(`patient-${state}-lead`), t(`patient-${state}-next`));
-    this.#root.append(
-      codeForm(
-        (code) => this.#pair(code),
-        () => this.#ask(),
-      ),
-    );
+    const form = h(CodeForm, { pair: (code) => this.#pair(code), onPaired: () => this.#ask() });
+    this.#say(t(`patient-${state}-title`), words || t(`patient-${state}-lead`), t(`patient-${state}-next`), form);
   }
 
-  /** @param {string} title @param {string} lead @param {string} next what to do */
-  #say(title, lead, next) {
-    put(
-      this.#root,
-      h("section", { class: "calm", role: "status" }, h("h1", {}, title), h("p", {}, lead), h("p", {}, next)),
+  /** @param {string} title @param {string} lead @param {string} next what to do @param {ComponentChildren} [form] */
+  #say(title, lead, next, form) {
+    const words = h(
+      "section",
+      { class: "calm", role: "status" },
+      h("h1", {}, title),
+      h("p", {}, lead),
+      h("p", {}, next),
     );
+    render(h(Fragment, {}, words, form), this.#root);
   }
 }
 
@@ -119,31 +123,41 @@ function useLanguage(language) {
 
 /**
  * For a screen without a camera: the code, typed.
- * @param {(code: string) => Promise<unknown>} pair @param {() => void} onPaired
+ * @param {{pair: (code: string) => Promise<unknown>, onPaired: () => void}} form
  */
-function codeForm(pair, onPaired) {
-  const code = h("input", {
-    type: "text",
-    autocomplete: "off",
-    autocapitalize: "characters",
-    spellcheck: "false",
-    required: true,
-    maxlength: 20,
-  });
-  const problem = h("p", { class: "problem", role: "alert" });
-  /** @param {SubmitEvent} event */
+function CodeForm({ pair, onPaired }) {
+  const code = useRef(/** @type {HTMLInputElement | null} */ (null));
+  const problem = useSignal("");
+  /** @param {Event} event */
   const submit = async (event) => {
     event.preventDefault();
-    write(problem, "");
+    problem.value = "";
     try {
-      await pair(code.value);
+      await pair(code.current?.value ?? "");
       onPaired();
     } catch (error) {
-      write(problem, failureWords(error));
+      problem.value = failureWords(error);
     }
   };
-  const go = h("button", { class: "btn go large" }, t("patient-code-go"));
-  return h("form", { class: "code-form", onsubmit: submit }, field(t("patient-code"), code), go, problem);
+  return h(
+    "form",
+    { class: "code-form", onSubmit: submit },
+    h(
+      Field,
+      { label: t("patient-code") },
+      h("input", {
+        type: "text",
+        autocomplete: "off",
+        autocapitalize: "characters",
+        spellcheck: false,
+        required: true,
+        maxlength: 20,
+        ref: code,
+      }),
+    ),
+    h("button", { class: "btn go large" }, t("patient-code-go")),
+    h("p", { class: "problem", role: "alert" }, problem),
+  );
 }
 
 followSystem();

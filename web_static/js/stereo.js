@@ -1,13 +1,18 @@
-/** The stereo page: the patient's view for two eyes, for those who may see it; a lost view is loaded again. */
+/**
+ * The stereo page: the patient's view for two eyes, for those who may see it; a lost view is loaded again.
+ * @import { ReadonlySignal } from "./preact.js"
+ */
 import { Api } from "./api.js";
-import { h, put, write } from "./widgets/dom.js";
+import { Fragment, h, render, signal } from "./preact.js";
 import { practiceMark, readPractice } from "./shell/practice_mark.js";
 import { followSystem } from "./shell/theme.js";
 import { stayAwake } from "./patient/wake.js";
-import { controlBar } from "./stereo/bar.js";
-import { Eyes } from "./stereo/eyes.js";
-import { Settings } from "./stereo/settings.js";
+import { ControlBar } from "./stereo/bar.js";
+import { Eyes, pictureAge } from "./stereo/eyes.js";
 import { t } from "./texts.js";
+
+/** @typedef {"" | "view" | "refused"} Shown empty: nothing yet, or nothing any more */
+/** @typedef {"" | "lost" | "waiting"} Said */
 
 const VIEW = "/view/patient/";
 const CHECK_EVERY = 1500; // ms
@@ -15,20 +20,20 @@ const OLD = 3; // s: an older picture may have lost its connection
 const PATIENCE = 15; // s for the first picture; later the page says that it is waiting
 
 class StereoPage {
-  #root = h("main", { class: "stereo" });
+  #root = document.createElement("main");
   #api = new Api({ signedOut: () => {} });
   #practice = practiceMark();
-  #words = h("div", { class: "said", role: "status", hidden: true });
-  /** @type {Eyes | null} */
-  #eyes = null;
-  #isRefused = false;
-  #picture = new AbortController();
+  #shown = signal(/** @type {Shown} */ (""));
+  #said = signal(/** @type {Said} */ (""));
+  #round = signal(0); // in which both views are loaded
   #liveAt = 0;
   #isLost = false;
 
   start() {
     document.title = t("stereo-title");
+    this.#root.className = "stereo";
     document.body.replaceChildren(this.#root, this.#practice.element);
+    render(h(Page, { root: this.#root, shown: this.#shown, said: this.#said, round: this.#round }), this.#root);
     stayAwake();
     this.#check();
   }
@@ -38,9 +43,10 @@ class StereoPage {
     if (document.visibilityState === "visible") {
       const showPractice = (/** @type {string | null} */ kind) => this.#practice.show(kind);
       readPractice(this.#api).then(showPractice, () => null); // no answer: the check of the picture reports it
-      if (this.#eyes && this.#eyes.age() < OLD) this.#liveAt = performance.now();
-      if (!this.#eyes || this.#silence > OLD) await this.#ask();
-      else this.#say("");
+      const isView = this.#shown.value === "view";
+      if (isView && pictureAge() < OLD) this.#liveAt = performance.now();
+      if (!isView || this.#silence > OLD) await this.#ask();
+      else this.#said.value = "";
     }
     setTimeout(() => this.#check(), CHECK_EVERY);
   }
@@ -54,47 +60,46 @@ class StereoPage {
     const mayView = await isViewAllowed();
     if (mayView === null) {
       this.#isLost = true;
-      this.#isRefused = false;
-      this.#say("lost");
+      if (this.#shown.value === "refused") this.#shown.value = "";
+      this.#said.value = "lost";
     } else if (mayView) {
-      if (!this.#eyes) this.#show();
-      else if (this.#isLost) this.#eyes.renew();
+      if (this.#shown.value !== "view") this.#show();
+      else if (this.#isLost) this.#round.value++;
       this.#isLost = false;
-      this.#say(this.#silence > PATIENCE ? "waiting" : "");
-    } else if (!this.#isRefused) this.#leave();
+      this.#said.value = this.#silence > PATIENCE ? "waiting" : "";
+    } else this.#shown.value = "refused";
   }
 
   #show() {
-    this.#isRefused = false;
-    const settings = new Settings();
-    this.#picture = new AbortController();
     this.#liveAt = performance.now();
-    this.#eyes = new Eyes(settings, this.#picture.signal);
-    put(this.#root, this.#eyes.element, this.#words, controlBar(settings, this.#root, this.#picture.signal));
+    this.#shown.value = "view";
   }
+}
 
-  #leave() {
-    this.#picture.abort();
-    this.#eyes = null;
-    this.#isRefused = true;
-    put(
-      this.#root,
-      h(
-        "section",
-        { class: "refused", role: "status" },
-        h("h1", {}, t("stereo-refused-title")),
-        h("p", {}, t("stereo-refused-clinician"), " ", h("a", { href: "./" }, t("stereo-refused-sign-in"))),
-        h("p", {}, t("stereo-refused-patient")),
-      ),
-    );
-  }
+/**
+ * @param {{root: HTMLElement, shown: ReadonlySignal<Shown>, said: ReadonlySignal<Said>,
+ *   round: ReadonlySignal<number>}} page
+ */
+function Page({ root, shown, said, round }) {
+  if (shown.value === "refused") return h(Refused, {});
+  const isView = shown.value === "view";
+  return h(
+    Fragment,
+    {},
+    isView && h(Eyes, { round: round.value }),
+    h("div", { class: "said", role: "status", hidden: !said.value }, said.value && t(`stereo-${said.value}`)),
+    isView && h(ControlBar, { root }),
+  );
+}
 
-  /** @param {"" | "lost" | "waiting"} what */
-  #say(what) {
-    if (!this.#words.isConnected) put(this.#root, this.#words);
-    write(this.#words, what && t(`stereo-${what}`));
-    this.#words.hidden = !what;
-  }
+function Refused() {
+  return h(
+    "section",
+    { class: "refused", role: "status" },
+    h("h1", {}, t("stereo-refused-title")),
+    h("p", {}, t("stereo-refused-clinician"), " ", h("a", { href: "./" }, t("stereo-refused-sign-in"))),
+    h("p", {}, t("stereo-refused-patient")),
+  );
 }
 
 /** Whether this browser may see the patient's view; null without an answer. */

@@ -1,5 +1,8 @@
-/** An arrow on the screen that points from the chair to the target. */
-import { h, s, set, write } from "../widgets/dom.js";
+/**
+ * An arrow on the screen that points from the chair to the target.
+ * @import { PatientMessage } from "../live/live.js"
+ */
+import { h, useComputed } from "../preact.js";
 import { isPose } from "../plan/floor_plan.js";
 import { number } from "../widgets/format.js";
 import { t } from "../texts.js";
@@ -26,27 +29,38 @@ export function side(bearing) {
   return bearing > 0 ? "left" : "right";
 }
 
-export function arrow() {
-  const needle = s("path", { d: "M50 8 82 88 50 70 18 88Z" });
-  const distance = h("span", { class: "number" });
-  const picture = s("svg", { viewBox: "0 0 100 100", role: "img" }, needle);
-  const element = h(
-    "div",
-    { class: "hud arrow", hidden: true },
-    h("span", { class: "label" }, t("patient-goal-name")),
-    picture,
-    distance,
+/** Where the target is, null while no arrow shows it. @param {PatientMessage | null} now */
+function targetNow(now) {
+  const target = now?.asks.arrow ? now.trial?.target : null;
+  if (!now || !target || !isPose(now.pose)) return null;
+  const { bearing, distance } = bearingTo(now.pose, target);
+  return { bearing: distance < NEAR ? 0 : bearing, distance };
+}
+
+/** @param {import("./screen.js").Newest} arrow */
+export function Arrow({ now }) {
+  const target = useComputed(() => targetNow(now.value));
+  const isHidden = useComputed(() => !target.value);
+  const turn = useComputed(() => {
+    const { bearing } = target.value ?? { bearing: 0 };
+    return `rotate(${Math.round((-bearing * 180) / Math.PI)} 50 50)`;
+  });
+  const where = useComputed(() => {
+    const { bearing } = target.value ?? { bearing: 0 };
+    return t("patient-arrow", { where: t(`patient-arrow-${side(bearing)}`) });
+  });
+  const distance = useComputed(
+    () => target.value && t("patient-arrow-distance", { distance: number(target.value.distance, 1) }),
   );
-  /** @param {import("../live/live.js").PatientMessage} now */
-  const show = ({ asks, trial, pose }) => {
-    const target = asks.arrow && isPose(pose) ? trial?.target : null;
-    element.hidden = !target;
-    if (!target || !isPose(pose)) return;
-    const to = bearingTo(pose, target);
-    const bearing = to.distance < NEAR ? 0 : to.bearing;
-    set(needle, { transform: `rotate(${Math.round((-bearing * 180) / Math.PI)} 50 50)` });
-    set(picture, { "aria-label": t("patient-arrow", { where: t(`patient-arrow-${side(bearing)}`) }) });
-    write(distance, t("patient-arrow-distance", { distance: number(to.distance, 1) }));
-  };
-  return { element, show };
+  return h(
+    "div",
+    { class: "hud arrow", hidden: isHidden },
+    h("span", { class: "label" }, t("patient-goal-name")),
+    h(
+      "svg",
+      { viewBox: "0 0 100 100", role: "img", "aria-label": where },
+      h("path", { d: "M50 8 82 88 50 70 18 88Z", transform: turn }),
+    ),
+    h("span", { class: "number" }, distance),
+  );
 }

@@ -1,5 +1,10 @@
-/** The large cue of a calibration: the words, legible from 2 m, and a ring that fills with the time of the cue. */
-import { h, s, set, write } from "../widgets/dom.js";
+/**
+ * The large cue of a calibration: the words, legible from 2 m, and a ring that fills with the time of the cue.
+ * @import { PatientCue } from "types/api"
+ * @import { Newest } from "./screen.js"
+ * @import { PatientLive } from "./store.js"
+ */
+import { h, useComputed, useLayoutEffect, useSignal } from "../preact.js";
 import { discRadius, ringShare } from "../widgets/cue_circle.js";
 import { t } from "../texts.js";
 
@@ -8,51 +13,70 @@ const ROUND = 2 * Math.PI * RADIUS;
 const FURTHEST = 0.3; // s for which the ring goes on without a message; then it stops, because the run may have stopped too
 const COUNTED = new Set(["ready", "rest", "free"]); // whole seconds; the others are too short to be counted
 
-/**
- * @typedef {import("../live/live.js").Live<import("../live/live.js").PatientMessage>} PatientLive
- * @typedef {import("types/api").PatientCue} PatientCue
- */
+/** @param {Newest & {live: PatientLive}} layer */
+export function CueLayer({ live, now }) {
+  const cue = useComputed(() => (now.value?.state === "fault" ? null : now.value?.cue));
+  const words = useComputed(() => cue.value && cueWords(cue.value));
+  const then = useComputed(() => cue.value && thenWords(cue.value));
+  const kind = useComputed(() => cue.value?.kind).value;
+  return h(
+    "div",
+    { class: "cue-layer", hidden: !kind, "data-kind": kind },
+    h(Ring, { live, isShown: Boolean(kind) }),
+    h("p", { class: "cue-words", role: "status" }, words),
+    h("p", { class: "cue-then" }, then),
+  );
+}
 
-/** The words of a cue. @param {Pick<PatientCue, "kind" | "movement">} cue */
-export function cueWords({ kind, movement }) {
+/** The words of a cue. @param {PatientCue} cue */
+function cueWords({ kind, movement }) {
   return kind === "move" && movement ? movement : t(`patient-cue-${kind}`);
 }
 
-/** @param {PatientLive} live @param {AbortSignal} signal */
-export function cueLayer(live, signal) {
-  const disc = s("circle", { class: "disc", cx: 150, cy: 150, r: discRadius("rest", 0) });
-  const ring = s("circle", { class: "ring", cx: 150, cy: 150, r: RADIUS, transform: "rotate(-90 150 150)" });
-  const seconds = s("text", { class: "seconds", x: 150, y: 172, "text-anchor": "middle" });
-  const track = s("circle", { class: "track", cx: 150, cy: 150, r: RADIUS });
-  const picture = s("svg", { viewBox: "0 0 300 300", "aria-hidden": "true" }, track, disc, ring, seconds);
-  const words = h("p", { class: "cue-words", role: "status" });
-  const then = h("p", { class: "cue-then" });
-  const element = h("div", { class: "cue-layer", hidden: true }, picture, words, then);
+/** What comes after a cue. @param {PatientCue} cue */
+function thenWords({ kind, movement, next }) {
+  if (movement && (kind === "ready" || next === "move")) return t("patient-cue-then-movement", { movement });
+  return next ? t(`patient-cue-then-${next}`) : "";
+}
 
-  /** @param {PatientCue} cue */
-  const draw = (cue) => {
-    const time = Math.min(cue.length, cue.t + Math.min(live.age, FURTHEST));
-    const share = time / cue.length;
-    set(ring, { "stroke-dasharray": ROUND, "stroke-dashoffset": ROUND * (1 - ringShare(share)) });
-    set(disc, { r: discRadius(cue.kind, share) });
-    write(seconds, COUNTED.has(cue.kind) ? String(Math.ceil(cue.length - time)) : "");
-  };
-  const turn = () => {
-    if (signal.aborted) return;
-    const cue = live.latest?.cue;
-    if (cue && !element.hidden) draw(cue);
-    requestAnimationFrame(turn);
-  };
-  /** @param {import("../live/live.js").PatientMessage} now */
-  const show = ({ cue, state }) => {
-    element.hidden = !cue || state === "fault";
-    if (!cue) return;
-    element.dataset.kind = cue.kind;
-    write(words, cueWords(cue));
-    const { kind, movement, next } = cue;
-    const isMovement = movement && (kind === "ready" || next === "move");
-    write(then, isMovement ? t("patient-cue-then-movement", { movement }) : next ? t(`patient-cue-then-${next}`) : "");
-  };
-  turn();
-  return { element, show };
+/**
+ * The ring, and the disc that leads the movement: they move with each frame of the browser.
+ * @param {{live: PatientLive, isShown: boolean}} ring
+ */
+function Ring({ live, isShown }) {
+  const time = useSignal({ kind: "rest", length: 1, t: 0 }); // of the cue, s
+  const share = useComputed(() => time.value.t / time.value.length);
+  const radius = useComputed(() => discRadius(time.value.kind, share.value));
+  const offset = useComputed(() => ROUND * (1 - ringShare(share.value)));
+  const seconds = useComputed(() => {
+    const { kind, length, t: past } = time.value;
+    return COUNTED.has(kind) ? String(Math.ceil(length - past)) : "";
+  });
+  useLayoutEffect(() => {
+    if (!isShown) return;
+    let frame = 0;
+    const turn = () => {
+      const cue = live.latest?.cue;
+      if (cue) time.value = { ...cue, t: Math.min(cue.length, cue.t + Math.min(live.age, FURTHEST)) };
+      frame = requestAnimationFrame(turn);
+    };
+    turn();
+    return () => cancelAnimationFrame(frame);
+  }, [isShown]);
+  return h(
+    "svg",
+    { viewBox: "0 0 300 300", "aria-hidden": "true" },
+    h("circle", { class: "track", cx: 150, cy: 150, r: RADIUS }),
+    h("circle", { class: "disc", cx: 150, cy: 150, r: radius }),
+    h("circle", {
+      class: "ring",
+      cx: 150,
+      cy: 150,
+      r: RADIUS,
+      "stroke-dasharray": ROUND,
+      "stroke-dashoffset": offset,
+      transform: "rotate(-90 150 150)",
+    }),
+    h("text", { class: "seconds", x: 150, y: 172, "text-anchor": "middle" }, seconds),
+  );
 }

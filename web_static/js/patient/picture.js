@@ -12,15 +12,14 @@ const MAY_MOVE = new Set(["checking", "armed"]);
 
 /**
  * @typedef {import("../live/live.js").PatientMessage} PatientMessage
- * @typedef {import("../live/live.js").Live<PatientMessage>} PatientLive
+ * @typedef {import("./store.js").PatientLive} PatientLive
  */
 
-/** @param {PatientLive} live @param {AbortSignal} signal */
+/** The elements of the picture. @param {PatientLive} live @param {AbortSignal} signal */
 export function patientPicture(live, signal) {
   const view = renewableView(live, signal);
   const plan = planOfTrial();
   const words = h("p", { class: "hud picture-words", role: "status", hidden: true });
-  const element = h("div", { class: "picture-place" }, view.element, plan.element, words);
   const limit = ageLimit();
   /** @type {import("../live/screen_worker.js").Picture} */
   let shows = "plan"; // until the 3D view is live
@@ -59,10 +58,11 @@ export function patientPicture(live, signal) {
     plan.show(now);
     look();
   };
+  live.addEventListener("tick", ({ detail }) => show(detail), { signal });
   live.addEventListener("open", report, { signal });
   const timers = [setInterval(look, LOOK_EVERY), setInterval(report, REPORT_EVERY)];
   signal.addEventListener("abort", () => timers.forEach(clearInterval));
-  return { element, show };
+  return [view.element, plan.element, words];
 }
 
 /**

@@ -1,9 +1,12 @@
 /** The patient's view twice, each with the camera of one eye, laid out for a holder, a projector or coloured glasses. */
-import { h, put, s } from "../widgets/dom.js";
+import { h, useLayoutEffect, useRef } from "../preact.js";
 import { viewFrame } from "../view/view_frame.js";
 import { aim, offset } from "./camera.js";
+import { chosen } from "./settings.js";
 
-/** @type {import("./camera.js").Side[]} */
+/** @typedef {import("./camera.js").Side} Side */
+
+/** @type {Side[]} */
 const SIDES = ["left", "right"];
 const AIM_EVERY = 100; // ms: a frame that was reloaded or resized has lost its camera's shift
 
@@ -14,68 +17,71 @@ const COLOURS = {
   right: "0 0 0 0 0  0 1 0 0 0  0 0 1 0 0  0 0 0 1 0",
 };
 
-export class Eyes {
-  /** @param {import("./settings.js").Settings} settings @param {AbortSignal} signal */
-  constructor(settings, signal) {
-    this.settings = settings;
-    this.places = SIDES.map((side) => h("div", { class: `eye ${side}` }));
-    this.element = h("div", { class: "eyes" }, colourFilters(), this.places, h("div", { class: "split" }));
-    this.frames = new AbortController();
-    settings.addEventListener("change", () => this.#apply(), { signal });
-    const timer = setInterval(() => this.#aim(), AIM_EVERY);
-    signal.addEventListener("abort", () => {
-      clearInterval(timer);
-      this.frames.abort();
-    });
-    this.renew();
-    this.#apply();
-  }
-
-  /** Load both views anew, because a frame that failed to load does not try again. */
-  renew() {
-    this.frames.abort();
-    this.frames = new AbortController();
-    for (const place of this.places) put(place, viewFrame(this.frames.signal, "patient").element);
-  }
-
-  /** The age (s) of the older picture. */
-  age() {
-    return Math.max(...this.places.map((place) => windowOf(place)?.bodydriveView?.age() ?? Infinity));
-  }
-
-  #apply() {
-    const { mode, split } = this.settings.chosen;
-    this.element.dataset.mode = mode;
-    this.element.classList.toggle("has-split", split && mode !== "red-cyan");
-    SIDES.forEach((side, i) => (this.places[i].style.filter = mode === "red-cyan" ? `url(#eye-${side})` : ""));
-    this.#aim();
-  }
-
-  #aim() {
-    const { chosen } = this.settings;
-    SIDES.forEach((side, i) => aim(windowOf(this.places[i]), offset(side, chosen), Number(chosen.convergence)));
-  }
+/**
+ * @param {{round: number}} eyes round: with another one both views are loaded anew, because a frame that failed to load
+ *   does not try again
+ */
+export function Eyes({ round }) {
+  const { mode, split } = chosen.value;
+  return h(
+    "div",
+    { class: split && mode !== "red-cyan" ? "eyes has-split" : "eyes", "data-mode": mode },
+    h(ColourFilters, {}),
+    SIDES.map((side) => h(Eye, { key: `${side} ${round}`, side })),
+    h("div", { class: "split" }),
+  );
 }
 
-/** The window of the view's frame; null while it shows an error page, which no page may read. @param {Element} place */
-function windowOf(place) {
+/** @param {{side: Side}} eye */
+function Eye({ side }) {
+  const place = useRef(/** @type {HTMLDivElement | null} */ (null));
+  const choices = chosen.value;
+  useLayoutEffect(() => {
+    const gone = new AbortController();
+    place.current?.append(viewFrame(gone.signal, "patient").element);
+    const timer = setInterval(() => aimEye(side), AIM_EVERY);
+    return () => {
+      clearInterval(timer);
+      gone.abort();
+    };
+  }, []);
+  useLayoutEffect(() => aimEye(side), [choices]);
+  const filter = choices.mode === "red-cyan" ? `url(#eye-${side})` : "";
+  return h("div", { class: `eye ${side}`, style: { filter }, ref: place });
+}
+
+/** @param {Side} side */
+function aimEye(side) {
+  const choices = chosen.peek();
+  aim(windowOf(side), offset(side, choices), Number(choices.convergence));
+}
+
+/** The age (s) of the older picture; Infinity while one is missing. */
+export function pictureAge() {
+  return Math.max(...SIDES.map((side) => windowOf(side)?.bodydriveView?.age() ?? Infinity));
+}
+
+/** The window of a view's frame; null while it shows an error page, which no page may read. @param {Side} side */
+function windowOf(side) {
   try {
-    const view = place.querySelector("iframe")?.contentWindow;
+    /** @type {HTMLIFrameElement | null} */
+    const frame = document.querySelector(`.eye.${side} iframe`);
+    const view = frame?.contentWindow;
     return view?.document ? view : null;
   } catch {
     return null;
   }
 }
 
-function colourFilters() {
-  return s(
+function ColourFilters() {
+  return h(
     "svg",
     { width: 0, height: 0, "aria-hidden": "true" },
     SIDES.map((side) =>
-      s(
+      h(
         "filter",
-        { id: `eye-${side}`, "color-interpolation-filters": "sRGB", x: 0, y: 0, width: 1, height: 1 },
-        s("feColorMatrix", { values: COLOURS[side] }),
+        { key: side, id: `eye-${side}`, "color-interpolation-filters": "sRGB", x: 0, y: 0, width: 1, height: 1 },
+        h("feColorMatrix", { values: COLOURS[side] }),
       ),
     ),
   );

@@ -1,4 +1,5 @@
 /** The settings of the picture for two eyes; stored in this browser. */
+import { signal } from "../preact.js";
 
 const STORAGE_KEY = "bodydrive-stereo";
 export const MODES = /** @type {const} */ (["side", "squeezed", "red-cyan"]);
@@ -26,23 +27,14 @@ const IS_VALID = {
   split: (value) => typeof value === "boolean",
 };
 
-/** Dispatches "change" after each choice. */
-export class Settings extends EventTarget {
-  /** @type {Choices} */
-  #chosen = { ...USUAL, ...storedChoices() };
+/** What is chosen now. */
+export const chosen = signal(/** @type {Choices} */ ({ ...USUAL, ...storedChoices() }));
 
-  /** @returns {Readonly<Choices>} */
-  get chosen() {
-    return this.#chosen;
-  }
-
-  /** Choose; with another mode comes its suitable convergence. @param {Partial<Choices>} change */
-  choose(change) {
-    const suitable = change.mode ? { convergence: SUITABLE[change.mode] } : {};
-    this.#chosen = { ...this.#chosen, ...suitable, ...change };
-    localStorage.setItem(STORAGE_KEY, JSON.stringify(this.#chosen));
-    this.dispatchEvent(new Event("change"));
-  }
+/** Choose; with another mode comes its suitable convergence. @param {Partial<Choices>} change */
+export function choose(change) {
+  const suitable = change.mode ? { convergence: SUITABLE[change.mode] } : {};
+  chosen.value = { ...chosen.value, ...suitable, ...change };
+  localStorage.setItem(STORAGE_KEY, JSON.stringify(chosen.value));
 }
 
 /** The stored choices that are valid. @returns {Partial<Choices>} */
