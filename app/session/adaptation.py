@@ -132,13 +132,13 @@ class AdaptationFlow:
         if self._chairs.chosen is not None:
             raise Conflict(REAL_CHAIR)
         async with self._one_at_a_time:
-            self._session.refuse_while_busy(Text("visit-then-look"))
+            self._session.refuse_while_busy()
             await asyncio.to_thread(self._propose, session.patient_id, session.id)
         self._notify("adaptation")
 
     async def apply(self, proposal: str, person: str | None) -> int:
         """Make a proposal the patient's next map, and return the version; `person` None: it applies by itself."""
-        async with self._session.undisturbed(Text("visit-then-apply")):
+        async with self._session.undisturbed():
             self._require_standstill()
             session = await self._session.needed_session()
             version = await asyncio.to_thread(self._save, session, proposal, person)
@@ -149,7 +149,7 @@ class AdaptationFlow:
 
     async def back(self, person: str) -> int:
         """Go back to the map before the current one, and return the version that it becomes."""
-        async with self._session.undisturbed(Text("visit-then-go-back")):
+        async with self._session.undisturbed():
             session = await self._session.needed_session()
             version = await asyncio.to_thread(self._back, session, person)
             await self._session.try_load_parameters()

@@ -60,15 +60,15 @@ class SessionFlow:
         self.patient_id: int | None = None
 
     @asynccontextmanager
-    async def undisturbed(self, what: Text) -> AsyncIterator[None]:
+    async def undisturbed(self) -> AsyncIterator[None]:
         """Refuse during a step, a trial or a drive, and let none of them begin inside the `async with` block.
 
-        `what` completes the refusal: "..., then WHAT." Two screens may ask at the same moment: without the lock, the
-        session could change while a trial is being started.
+        Two screens may ask at the same moment: without the lock, the session could change while a trial is being
+        started.
         """
         async with self._one_at_a_time:
             await asyncio.to_thread(self._require_page_session)  # the session may have changed while the request waited
-            self.refuse_while_busy(what)
+            self.refuse_while_busy()
             yield
 
     def _require_page_session(self) -> None:
@@ -90,14 +90,14 @@ class SessionFlow:
         """Whether nobody wears the shirt in use, None while there is none; may be read from any thread."""
         return self._equipment.simulated
 
-    def refuse_while_busy(self, what: Text) -> None:
-        """Raise Conflict during a step, a trial or a drive; `what` completes the sentence: "..., then WHAT."."""
+    def refuse_while_busy(self) -> None:
+        """Raise Conflict during a step, a trial or a drive."""
         flows: tuple[RunFlow[Any], ...] = (self._trials, self._drives, *self._others)
         for flow in flows:
             if flow.running:
-                raise Conflict(Text("visit-busy", running=flow.messages.event, then=what))
+                raise Conflict(Text("visit-busy", running=flow.messages.event))
         if self._calibration.running:
-            raise Conflict(Text("visit-busy", running="step", then=what))
+            raise Conflict(Text("visit-busy", running="step"))
 
     async def needed_session(self) -> PatientSession:
         """Return the open session; Conflict when there is none."""

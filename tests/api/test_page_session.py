@@ -12,7 +12,6 @@ from app.api.who_asks import READS
 from app.refusals import Conflict
 from app.session.open_session import SessionFlow
 from app.session.page_session import PAGE_SESSION, PageSession
-from app.texts import Text
 
 OTHER = "can no longer be sent"
 UNNAMED = "does not name the session"
@@ -87,7 +86,7 @@ def test_a_change_that_waited_while_the_session_changed_does_nothing(in_session:
     async def late(what: str) -> None:
         PAGE_SESSION.set(PageSession(before))
         if what == "undisturbed":
-            async with in_session.parts[SessionFlow].undisturbed(Text("visit-then-controls")):
+            async with in_session.parts[SessionFlow].undisturbed():
                 raise AssertionError("it was done")
         await in_session.parts[SessionFlow].needed_session()
 

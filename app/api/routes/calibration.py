@@ -84,7 +84,7 @@ async def start_step(
     step: StepName, _person: ClinicianInSession, calibration_flow: CalibrationFlowPart, session_flow: SessionFlowPart
 ) -> CalibrationView:
     """Record a step, for the first time or again."""
-    async with session_flow.undisturbed(Text("visit-then-step")):
+    async with session_flow.undisturbed():
         session = await session_flow.needed_session()
         await calibration_flow.start(session.id, step)
     return await _view(calibration_flow, session)
@@ -105,7 +105,7 @@ async def skip_step(
     step: StepName, _person: ClinicianInSession, calibration_flow: CalibrationFlowPart, session_flow: SessionFlowPart
 ) -> CalibrationView:
     """Skip a prompted movement that this patient cannot make."""
-    async with session_flow.undisturbed(Text("visit-then-skip")):
+    async with session_flow.undisturbed():
         session = await session_flow.needed_session()
         await calibration_flow.skip(session.id, step)
     return await _view(calibration_flow, session)
@@ -126,7 +126,7 @@ async def begin_anew(
     _person: ClinicianInSession, calibration_flow: CalibrationFlowPart, session_flow: SessionFlowPart
 ) -> CalibrationView:
     """Begin the calibration anew; earlier recordings no longer count."""
-    async with session_flow.undisturbed(Text("visit-then-begin-anew")):
+    async with session_flow.undisturbed():
         session = await session_flow.needed_session()
         await calibration_flow.restart(session.id)
     return await _view(calibration_flow, session)
@@ -145,7 +145,7 @@ async def choose(
 
     409 where the map is not offered.
     """
-    async with session_flow.undisturbed(Text("visit-then-map")):
+    async with session_flow.undisturbed():
         session = await session_flow.needed_session()
         if calibration_flow.running:
             raise Conflict(Text("api-calibration-busy"))
@@ -168,7 +168,7 @@ async def say_how_it_sits(
     `is_right` true: the shirt sits right although a ring looks turned or mirrored; the map is fitted anew. 409 where it
     sits as on other people. A new free movement forgets it.
     """
-    async with session_flow.undisturbed(Text("visit-then-sitting")):
+    async with session_flow.undisturbed():
         session = await session_flow.needed_session()
         if calibration_flow.running:
             raise Conflict(Text("api-calibration-busy"))
@@ -192,7 +192,7 @@ async def drive_now(
 
     409 before rest and free movement, or with fewer than four other people.
     """
-    async with session_flow.undisturbed(Text("visit-then-drive-now")):
+    async with session_flow.undisturbed():
         session = await session_flow.needed_session()
         await calibration_flow.fit_from_others(session.id)
         await _accept(person, database, calibration_flow, session_flow, session)
@@ -210,7 +210,7 @@ async def fit_earlier(
 
     409 before rest and free movement, without an earlier calibration in this shirt, or with a ring turned since.
     """
-    async with session_flow.undisturbed(Text("visit-then-fit")):
+    async with session_flow.undisturbed():
         session = await session_flow.needed_session()
         await calibration_flow.fit_earlier(session.id, person.name)
         await session_flow.try_load_parameters()
@@ -228,7 +228,7 @@ async def accept(
     live: LivePart,
 ) -> CalibrationView:
     """Save the profile as the patient's newest, and load standard parameters on it."""
-    async with session_flow.undisturbed(Text("visit-then-accept")):
+    async with session_flow.undisturbed():
         session = await session_flow.needed_session()
         await _accept(person, database, calibration_flow, session_flow, session)
         await calibration_flow.learn(session.id)

@@ -134,7 +134,7 @@ async def unpair(
             chair = unpair_chair(db, settings.keys, chair_id)
             write_log(db, person.name, "chair unpaired", chair=chair.id, key_id=chair.key_id)
 
-    async with session_flow.undisturbed(Text("visit-then-unpair")):
+    async with session_flow.undisturbed():
         if chairs.chosen is not None and chairs.chosen.id == chair_id:
             await chairs.choose(None, chairs.dynamics)
         await asyncio.to_thread(_unpair)
@@ -147,7 +147,7 @@ async def choose(
     body: Choice, person: ClinicianInSession, database: Db, chairs: ChairsPart, session_flow: SessionFlowPart
 ) -> ChairsView:
     """Use another chair."""
-    async with session_flow.undisturbed(Text("visit-then-chair")):
+    async with session_flow.undisturbed():
         chair = None if body.id is None else await asyncio.to_thread(_find, database, body.id)
         await chairs.choose(chair, body.dynamics)
     await asyncio.to_thread(_note, database, person, body)

@@ -115,7 +115,7 @@ class PatientControls:
                 write_log(db, person.name, what, patient=session.patient_id, parameters=row.id, hash=view.hash)
                 return view
 
-        async with self.session_flow.undisturbed(Text("visit-then-controls")):
+        async with self.session_flow.undisturbed():
             view = await asyncio.to_thread(write, await self.session_flow.needed_session())
             await self.session_flow.try_load_parameters()
         self.live.notify("controls")

@@ -145,7 +145,7 @@ async def arm(
     building's network.
     """
     require_nearby(request)
-    async with session_flow.undisturbed(Text("visit-then-arm")):
+    async with session_flow.undisturbed():
         now = await arming.summary()
         if now.refusals:
             raise Conflict(now.refusals[0])

@@ -247,7 +247,7 @@ async def choose_shirt(
     `file` is a name from `files` of `GET /equipment`, `key_file` one from `shirt_keys`.
     """
     config = body.model_dump(mode="json")
-    async with session_flow.undisturbed(Text("visit-then-shirt")):
+    async with session_flow.undisturbed():
         try:
             await equipment.use_shirt(config)
         finally:
@@ -274,7 +274,7 @@ async def choose_sender(
 
     It is logged.
     """
-    async with session_flow.undisturbed(Text("visit-then-sender")):
+    async with session_flow.undisturbed():
         await equipment.use_sender(body.sender)
     return await state.logged_view(person.name, "shirt's sender chosen", sender=body.sender)
 
@@ -288,7 +288,7 @@ async def choose_body(
     `file` is a name from `files` of `GET /equipment`.
     """
     config = body.model_dump(mode="json")
-    async with session_flow.undisturbed(Text("visit-then-body")):
+    async with session_flow.undisturbed():
         await equipment.use_body(config)
     return await state.logged_view(person.name, "body chosen", kind=config["kind"])
 
@@ -302,7 +302,7 @@ async def choose_head(
     `file` is a name from `files` of `GET /equipment`.
     """
     config = None if body.config is None else body.config.model_dump(mode="json")
-    async with session_flow.undisturbed(Text("visit-then-head")):
+    async with session_flow.undisturbed():
         await head.use(config)
     return await state.logged_view(person.name, "head tracker chosen", kind=config["kind"] if config else None)
 
@@ -323,7 +323,7 @@ async def mark_unused(
     session_flow: SessionFlowPart,
 ) -> EquipmentView:
     """Mark channels as unused; the next calibration leaves them out."""
-    async with session_flow.undisturbed(Text("visit-then-sensors")):
+    async with session_flow.undisturbed():
         await equipment.leave_unused(body.channels)
     return await state.logged_view(person.name, "channels marked", unused=equipment.unused)
 

@@ -43,7 +43,6 @@ from app.store.patients import (
     start_session,
 )
 from app.store.tables import Patient
-from app.texts import Text
 
 router = APIRouter(tags=["patients"])
 
@@ -237,7 +236,7 @@ async def begin_session(
         return current_session(database, session_flow, person)
 
     await run_in_threadpool(require_room_to_record, settings.state)
-    async with session_flow.undisturbed(Text("visit-then-open-session")):
+    async with session_flow.undisturbed():
         answer = await run_in_threadpool(_open)
         await sockets.close_ended_screens()
         await session_flow.session_changed()
@@ -261,7 +260,7 @@ async def close_session(
             write_log(db, person.name, "session ended")
         return current_session(database, session_flow, person)
 
-    async with session_flow.undisturbed(Text("visit-then-end-session")):
+    async with session_flow.undisturbed():
         answer = await run_in_threadpool(_end)
         await sockets.close_ended_screens()
         await view_keeper.close()

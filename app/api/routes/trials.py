@@ -153,7 +153,7 @@ async def start_trial(
     kept in `meta`. 409 with a real chair chosen, for `none`, and while this screen or one of the patient's has no
     picture.
     """
-    async with session_flow.undisturbed(Text("visit-then-trial")):
+    async with session_flow.undisturbed():
         session = await session_flow.needed_session()
         if chairs.chosen is not None:
             raise Conflict(Text("api-trial-on-real-chair"))

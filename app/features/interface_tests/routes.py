@@ -24,7 +24,6 @@ from app.store.interface_tests import interface_tests_of
 from app.store.log import log_viewing, write_log
 from app.store.patients import find_patient
 from app.store.tables import InterfaceTest, PatientSession
-from app.texts import Text
 
 router = APIRouter(prefix="/interface-tests", tags=["interface tests"])
 
@@ -54,7 +53,7 @@ async def start_interface_test(
 
     409 with a stop in force, while anything is recorded, or without controls that fit the shirt.
     """
-    async with session_flow.undisturbed(Text("visit-then-test")):
+    async with session_flow.undisturbed():
         session = await session_flow.needed_session()
         obstacle = await session_flow.load_parameters()
         if obstacle is not None:

@@ -21,7 +21,6 @@ from app.store.log import log_session_viewing, log_viewing, write_log
 from app.store.origins import origins_of
 from app.store.patients import find_patient, find_session, sessions_of
 from app.store.session_contents import counted_by_session
-from app.texts import Text
 
 router = APIRouter(tags=["records"])
 
@@ -196,7 +195,7 @@ async def sign_session_off(
             write_log(db, person.name, "session signed off", patient=session.patient_id, session=session_id)
             return record_view(db, session), was_open
 
-    async with session_flow.undisturbed(Text("visit-then-sign-off")):
+    async with session_flow.undisturbed():
         answer, was_open = await asyncio.to_thread(_sign)
         if was_open:
             await sockets.close_ended_screens()

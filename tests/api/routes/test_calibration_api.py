@@ -141,7 +141,7 @@ def test_a_step_whose_recording_is_being_checked_is_over_once_its_cancel_is_answ
     with ThreadPoolExecutor(1) as other:
         cancelled = other.submit(in_session, "POST", "/calibration/steps/rest/cancel")
         try:
-            assert "wait for its end" in in_session.refused(409, "DELETE", "/session")
+            assert "Wait for its end" in in_session.refused(409, "DELETE", "/session")
             assert not cancelled.done()
         finally:
             checked.set()

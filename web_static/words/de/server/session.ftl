@@ -23,40 +23,13 @@ visit-page-of-session = Was diese Seite zeigt, gehört zu { $code } und lässt s
 
 ## What must end first
 
-# $then is one of the texts visit-then-...: what a person wants to do.
 visit-busy =
     { $running ->
-        [trial] Ein Durchgang läuft. Beenden Sie ihn zuerst, und { $then }.
-        [drive] Der echte Rollstuhl ist freigegeben. Beenden Sie zuerst die Fahrt, und { $then }.
-        [step] Ein Schritt der Kalibrierung läuft. Warten Sie, bis er fertig ist, oder brechen Sie ihn ab, und { $then }.
-       *[test] Der Zwei-Minuten-Test läuft. Beenden Sie ihn zuerst, und { $then }.
+        [trial] Ein Durchgang läuft. Beenden Sie ihn zuerst, und versuchen Sie es dann noch einmal.
+        [drive] Der echte Rollstuhl ist freigegeben. Beenden Sie zuerst die Fahrt, und versuchen Sie es dann noch einmal.
+        [step] Ein Schritt der Kalibrierung läuft. Warten Sie, bis er fertig ist, oder brechen Sie ihn ab, und versuchen Sie es dann noch einmal.
+       *[test] Der Zwei-Minuten-Test läuft. Beenden Sie ihn zuerst, und versuchen Sie es dann noch einmal.
     }
-# The texts visit-then-... stand at the end of visit-busy. They tell a person what to do, in the imperative.
-visit-then-accept = verwenden Sie dann diese Kalibrierung
-visit-then-apply = übernehmen Sie dann die angepasste Kalibrierung
-visit-then-arm = geben Sie dann den Rollstuhl frei
-visit-then-begin-anew = beginnen Sie dann die Kalibrierung neu
-visit-then-body = wechseln Sie dann den Körper
-visit-then-chair = wählen Sie dann einen anderen Rollstuhl
-visit-then-controls = ändern Sie dann die Steuerung
-visit-then-drive-now = fahren Sie dann los
-visit-then-end-session = beenden Sie dann die Sitzung
-visit-then-fit = passen Sie dann die Kalibrierung an den Sitz des Shirts an
-visit-then-go-back = stellen Sie dann die frühere Version wieder her
-visit-then-head = wechseln Sie dann den Kopftracker
-visit-then-look = sehen Sie dann nach, was sich ändern würde
-visit-then-map = wählen Sie dann eine Kalibrierung
-visit-then-open-session = öffnen Sie dann eine Sitzung
-visit-then-sender = wechseln Sie dann den Sender des Shirts
-visit-then-sensors = ändern Sie dann, welche Sensoren verwendet werden
-visit-then-shirt = wechseln Sie dann das Shirt
-visit-then-sign-off = zeichnen Sie dann ab
-visit-then-sitting = geben Sie dann an, wie das Shirt sitzt
-visit-then-skip = überspringen Sie dann einen Schritt
-visit-then-step = starten Sie dann einen Schritt
-visit-then-test = starten Sie dann den Zwei-Minuten-Test
-visit-then-trial = starten Sie dann einen Durchgang
-visit-then-unpair = entkoppeln Sie dann einen Rollstuhl
 visit-already-recorded =
     { $start ->
         [trial] Es wird schon etwas aufgezeichnet. Beenden Sie das zuerst, und starten Sie dann einen Durchgang.

@@ -23,40 +23,13 @@ visit-page-of-session = What this page shows belongs to { $code } and can no lon
 
 ## What must end first
 
-# $then is one of the texts visit-then-...: what a person wants to do.
 visit-busy =
     { $running ->
-        [trial] A trial is running: end it first, then { $then }.
-        [drive] The real chair is armed: end the drive first, then { $then }.
-        [step] A calibration step is running: wait for its end, or stop the recording, then { $then }.
-       *[test] The two-minute test is running: end it first, then { $then }.
+        [trial] A trial is running. End it first, then try again.
+        [drive] The real chair is armed. End the drive first, then try again.
+        [step] A calibration step is running. Wait for its end or stop the recording, then try again.
+       *[test] The two-minute test is running. End it first, then try again.
     }
-# The texts visit-then-... stand at the end of visit-busy. They tell a person what to do, in the imperative.
-visit-then-accept = use this calibration
-visit-then-apply = apply the adapted calibration
-visit-then-arm = arm the chair
-visit-then-begin-anew = begin anew
-visit-then-body = change the body
-visit-then-chair = choose another chair
-visit-then-controls = change the controls
-visit-then-drive-now = drive now
-visit-then-end-session = end the session
-visit-then-fit = fit the calibration
-visit-then-go-back = go back
-visit-then-head = change the head tracker
-visit-then-look = look what would change
-visit-then-map = choose a calibration
-visit-then-open-session = open a session
-visit-then-sender = change the shirt's sender
-visit-then-sensors = change which sensors are used
-visit-then-shirt = change the shirt
-visit-then-sign-off = sign off
-visit-then-sitting = say how the shirt sits
-visit-then-skip = skip a step
-visit-then-step = start a step
-visit-then-test = start the two-minute test
-visit-then-trial = start a trial
-visit-then-unpair = unpair a chair
 visit-already-recorded =
     { $start ->
         [trial] Something is being recorded already: end it first, then start a trial.

@@ -23,40 +23,13 @@ visit-page-of-session = Lo que muestra esta página pertenece a { $code } y ya n
 
 ## What must end first
 
-# $then is one of the texts visit-then-...: what a person wants to do.
 visit-busy =
     { $running ->
-        [trial] Hay un ensayo en marcha: termínelo primero y después { $then }.
-        [drive] La silla real está habilitada: termine primero la conducción y después { $then }.
-        [step] Hay un paso de la calibración en marcha: espere a que termine, o pare la grabación, y después { $then }.
-       *[test] La prueba de dos minutos está en marcha: termínela primero y después { $then }.
+        [trial] Hay un ensayo en marcha. Termínelo primero e inténtelo de nuevo.
+        [drive] La silla real está habilitada. Termine primero la conducción e inténtelo de nuevo.
+        [step] Hay un paso de la calibración en marcha. Espere a que termine o pare la grabación, e inténtelo de nuevo.
+       *[test] La prueba de dos minutos está en marcha. Termínela primero e inténtelo de nuevo.
     }
-# The texts visit-then-... stand at the end of visit-busy. They tell a person what to do, in the imperative.
-visit-then-accept = use esta calibración
-visit-then-apply = aplique la calibración adaptada
-visit-then-arm = habilite la silla
-visit-then-begin-anew = empiece de nuevo
-visit-then-body = cambie el cuerpo
-visit-then-chair = elija otra silla
-visit-then-controls = cambie los controles
-visit-then-drive-now = conduzca ya
-visit-then-end-session = termine la sesión
-visit-then-fit = ajuste la calibración
-visit-then-go-back = vuelva a la versión anterior
-visit-then-head = cambie el seguimiento de la cabeza
-visit-then-look = vea qué cambiaría
-visit-then-map = elija una calibración
-visit-then-open-session = abra una sesión
-visit-then-sender = cambie el emisor de la camiseta
-visit-then-sensors = cambie qué sensores se usan
-visit-then-shirt = cambie la camiseta
-visit-then-sign-off = firme la sesión
-visit-then-sitting = indique cómo está colocada la camiseta
-visit-then-skip = omita un paso
-visit-then-step = empiece un paso
-visit-then-test = empiece la prueba de dos minutos
-visit-then-trial = empiece un ensayo
-visit-then-unpair = desvincule una silla
 visit-already-recorded =
     { $start ->
         [trial] Ya se está grabando algo: termínelo primero y después empiece un ensayo.
