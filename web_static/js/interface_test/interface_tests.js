@@ -2,6 +2,7 @@
  * What two-minute tests came to: the figures of one, the curve of a measure over all, and whether the newest is better.
  * @import { InterfaceTestView, InterfaceTestsView } from "types/api"
  */
+import { concerns } from "../live/news.js";
 import { t } from "../texts.js";
 import { h, put } from "../widgets/dom.js";
 import { field, selection } from "../widgets/fields.js";
@@ -34,7 +35,11 @@ export function testsPlace(app, patient, signal) {
     drawn = new AbortController();
     put(place, h("h2", {}, t("rail-interface-test")), testFigures(test), courseCard(found, drawn.signal));
   };
-  app.live.addEventListener("changed", ({ detail }) => detail === "test" && app.toasts.attempt(read), { signal });
+  app.live.addEventListener(
+    "changed",
+    ({ detail }) => concerns(detail, { what: ["test"], patient }) && app.toasts.attempt(read),
+    { signal },
+  );
   app.toasts.attempt(read);
   return place;
 }

@@ -2,6 +2,7 @@
  * The patient's screens of this session: pair one by a code, what they show, unpair one.
  * @import { OfferView, ScreensView, ScreenView, ScreenSettings } from "types/api"
  */
+import { concerns } from "../live/news.js";
 import { t } from "../texts.js";
 import { copyText } from "./clipboard.js";
 import { h, put, write } from "./dom.js";
@@ -122,11 +123,9 @@ export async function patientScreenCard(app, signal, { isPage = false } = {}) {
       put(below, codeView(app, made, { onAgain: open, onClose: offer }, signal, isPage ? "h2" : "h3"));
       /** @type {HTMLElement | null} */ (below.querySelector(".paired > :first-child"))?.focus();
     });
-  app.live.addEventListener(
-    "changed",
-    ({ detail }) => ["screens", "session", "everything"].includes(detail) && read(),
-    { signal },
-  );
+  app.live.addEventListener("changed", ({ detail }) => concerns(detail, { what: ["screens", "session"] }) && read(), {
+    signal,
+  });
   let session = app.session?.session?.id;
   const showSession = () => {
     if (app.session?.session?.id === session) return;

@@ -111,7 +111,7 @@ export async function show(app, root, { signal, rest }) {
     },
     { signal },
   );
-  app.live.addEventListener("changed", ({ detail }) => CONCERNS.includes(detail) && read().catch(() => null), {
+  app.live.addEventListener("changed", ({ detail }) => CONCERNS.includes(detail.what) && read().catch(() => null), {
     signal,
   });
   const view = await read();

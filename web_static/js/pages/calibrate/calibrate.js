@@ -178,7 +178,7 @@ export async function show(app, root, { signal }) {
   };
   app.live.addEventListener(
     "changed",
-    ({ detail }) => ["calibration", "equipment", "everything"].includes(detail) && readAgain(true),
+    ({ detail }) => ["calibration", "equipment", "everything"].includes(detail.what) && readAgain(true),
     { signal },
   );
   signal.addEventListener("abort", () => clearTimeout(timer));

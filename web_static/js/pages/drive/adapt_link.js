@@ -1,4 +1,5 @@
 /** A small link to what would change, or has changed, of the map after a trial; nothing while there is neither. */
+import { concerns } from "../../live/news.js";
 import { t } from "../../texts.js";
 import { h, write } from "../../widgets/dom.js";
 
@@ -12,7 +13,11 @@ export function adaptLink(app, trial, signal) {
     link.hidden = !own;
     if (own) write(link, t(own.applied === null ? "adapt-link-proposed" : "adapt-link-applied"));
   };
-  app.live.addEventListener("changed", ({ detail }) => detail === "adaptation" && read(), { signal });
+  app.live.addEventListener(
+    "changed",
+    ({ detail }) => concerns(detail, { what: ["adaptation"], patient: trial.patient_id }) && read(),
+    { signal },
+  );
   read();
   return link;
 }
