@@ -10,6 +10,7 @@ from browser.served.served_clinic import OWNER
 from playwright.sync_api import expect
 
 from app.api.live.live_picture import ClinicLive
+from app.news import News
 from app.session.calibration import calibration_flow
 
 pytestmark = [pytest.mark.browser]
@@ -79,7 +80,7 @@ def draw_again(page, clinic, others):
     answer = {**clinic.good("GET", "/calibration"), "others": others}
     page.route("**/api/v1/calibration", lambda route: route.fulfill(json=answer))
     page.locator("main h1").evaluate("(one) => one.setAttribute('data-before', '')")
-    clinic.app.state.parts[ClinicLive].notify("calibration")
+    clinic.app.state.parts[ClinicLive].notify(News(what="calibration"))
     expect(page.locator("main h1:not([data-before])")).to_be_attached()
     page.unroute_all()
 
