@@ -6928,6 +6928,16 @@ export interface components {
             screen: string;
             picture?: ("view" | "plan" | "none") | null;
         };
+        News: {
+            /** @enum {string} */
+            what: "adaptation" | "backups" | "calibration" | "comment" | "consent" | "controls" | "disk" | "drive" | "equipment" | "graphics" | "record" | "screens" | "session" | "shares" | "test" | "trial";
+            /** @default null */
+            patient: number | null;
+            /** @default null */
+            session: number | null;
+            /** @default null */
+            trial: number | null;
+        };
         NextTaskView: {
             floorplan: string;
             path: string;
@@ -8154,6 +8164,7 @@ export type NewSession = components['schemas']['NewSession'];
 export type NewShare = components['schemas']['NewShare'];
 export type NewTest = components['schemas']['NewTest'];
 export type NewTrial = components['schemas']['NewTrial'];
+export type News = components['schemas']['News'];
 export type NextTaskView = components['schemas']['NextTaskView'];
 export type NoteText = components['schemas']['NoteText'];
 export type NoteView = components['schemas']['NoteView'];

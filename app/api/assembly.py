@@ -28,6 +28,7 @@ from app.api.sockets import OpenSockets
 from app.api.view.view_keeper import OpenScene, ViewKeeper, open_view
 from app.computing_process import ComputingProcess
 from app.features.registration import Background, features
+from app.news import News, Notify
 from app.session.adaptation import AdaptationFlow
 from app.session.calibration.calibration_flow import CalibrationFlow
 from app.session.calibration.garment import NobodyElse, OthersPrior
@@ -101,11 +102,11 @@ def make_parts(
     return parts
 
 
-def _notifier(parts: Parts) -> Callable[[str], None]:
+def _notifier(parts: Parts) -> Notify:
     """Return what tells the pages that something has changed on the server."""
 
-    def notify(event: str) -> None:
-        parts[ClinicLive].notify(event)
+    def notify(news: News) -> None:
+        parts[ClinicLive].notify(news)
 
     return notify
 
@@ -142,7 +143,7 @@ def _add_what_runs(parts: Parts, start_process: StartProcess) -> None:
     parts.add(AdaptationFlow, AdaptationFlow(database, control, runs, trials, session, chairs, notify, computing))
 
     async def control_changed(_state: str) -> None:
-        notify("equipment")
+        notify(News(what="equipment"))
 
     control.on_change.append(control_changed)
 

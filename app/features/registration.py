@@ -23,6 +23,7 @@ if TYPE_CHECKING:
 
     from app.api.parts import Parts
     from app.computing_process import ComputingProcess
+    from app.news import Notify
     from app.scoring.verdict.spread import SpreadsOf
     from app.session.calibration.garment import OthersPrior
     from app.session.control_link import ControlLink
@@ -32,8 +33,8 @@ if TYPE_CHECKING:
     from app.store.consent import Consent
     from app.store.database import Database
 
-    MakeFlow = Callable[[Database, ControlLink, SessionRuns, Callable[[str], None], ComputingProcess], RunFlow[Any]]
-    MakeBackground = Callable[[Database, Settings, Callable[[str], None]], "Background"]
+    MakeFlow = Callable[[Database, ControlLink, SessionRuns, Notify, ComputingProcess], RunFlow[Any]]
+    MakeBackground = Callable[[Database, Settings, Notify], "Background"]
 
     MakeReport = Callable[[], bytes]
     ReportOf = Callable[[Database, Settings, int, SpreadsOf], MakeReport | None]

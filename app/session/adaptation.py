@@ -4,13 +4,13 @@ import asyncio
 import logging
 import threading
 import uuid
-from collections.abc import Callable
 from dataclasses import dataclass, replace
 from functools import partial
 from typing import Literal
 
 from app.computing_process import ComputingProcess
 from app.faults import State
+from app.news import News, Notify
 from app.refusals import Conflict, NotFound, Refusal, Unavailable
 from app.scoring.map_losses.losses import NOTHING_READ
 from app.session.adaptation_reading import AdaptationResult, PastRun, adapt_from_recordings
@@ -73,7 +73,7 @@ class AdaptationFlow:
         trials: TrialFlow,
         session: SessionFlow,
         chairs: Chairs,
-        notify: Callable[[str], None],
+        notify: Notify,
         computing: ComputingProcess,
     ) -> None:
         self._database = database
@@ -134,7 +134,7 @@ class AdaptationFlow:
         async with self._one_at_a_time:
             self._session.refuse_while_busy()
             await asyncio.to_thread(self._propose, session.patient_id, session.id)
-        self._notify("adaptation")
+        self._notify(News(what="adaptation", patient=session.patient_id))
 
     async def apply(self, proposal: str, person: str | None) -> int:
         """Make a proposal the patient's next map, and return the version; `person` None: it applies by itself."""
@@ -143,8 +143,8 @@ class AdaptationFlow:
             session = await self._session.needed_session()
             version = await asyncio.to_thread(self._save, session, proposal, person)
             await self._session.try_load_parameters()
-        self._notify("controls")
-        self._notify("adaptation")
+        self._notify(News(what="controls", patient=session.patient_id))
+        self._notify(News(what="adaptation", patient=session.patient_id))
         return version
 
     async def back(self, person: str) -> int:
@@ -153,8 +153,8 @@ class AdaptationFlow:
             session = await self._session.needed_session()
             version = await asyncio.to_thread(self._back, session, person)
             await self._session.try_load_parameters()
-        self._notify("controls")
-        self._notify("adaptation")
+        self._notify(News(what="controls", patient=session.patient_id))
+        self._notify(News(what="adaptation", patient=session.patient_id))
         return version
 
     async def dismiss(self, session: PatientSession, proposal: str) -> None:
@@ -163,7 +163,7 @@ class AdaptationFlow:
         if waiting is not None and waiting.id == proposal and waiting.applied is None:
             self._newest = None
             self._reasons[session.patient_id] = NOT_NOW
-        self._notify("adaptation")
+        self._notify(News(what="adaptation", patient=session.patient_id))
 
     async def set_mode(self, session: PatientSession, mode: Mode, person: str) -> None:
         """Choose whether this patient's map is adapted, and by whom."""
@@ -174,7 +174,7 @@ class AdaptationFlow:
                 write_log(db, person, "adaptation chosen", patient=session.patient_id, mode=mode)
 
         await asyncio.to_thread(_write)
-        self._notify("adaptation")
+        self._notify(News(what="adaptation", patient=session.patient_id))
 
     async def stop(self) -> None:
         """Abandon the proposal that is being made, because the application ends."""
@@ -184,17 +184,19 @@ class AdaptationFlow:
         await asyncio.gather(*self._tasks, return_exceptions=True)
 
     async def _after(self, trial_id: int) -> None:
+        patient: int | None = None
         try:
             trial, mode = await asyncio.to_thread(self._trial, trial_id)
+            patient = trial.patient_id
             if mode == "off" or self._chairs.chosen is not None:
                 return
             async with self._one_at_a_time:
-                await asyncio.to_thread(self._propose, trial.patient_id, trial.session_id)
+                await asyncio.to_thread(self._propose, patient, trial.session_id)
             if mode == "auto":
-                await self._apply_by_itself(trial.patient_id)
+                await self._apply_by_itself(patient)
         except (Refusal, ValueError, OSError):  # the next trial makes another
             logger.exception("No proposal was made after trial %d", trial_id)
-        self._notify("adaptation")
+        self._notify(News(what="adaptation", patient=patient))
 
     async def _apply_by_itself(self, patient_id: int) -> None:
         waiting = self.proposal_for(patient_id)

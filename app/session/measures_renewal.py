@@ -2,11 +2,11 @@
 
 import asyncio
 import logging
-from collections.abc import Callable
 from contextlib import suppress
 from typing import Final
 
 from app.computing_process import ComputingProcess
+from app.news import News, Notify
 from app.refusals import Unavailable
 from app.session.recordings import MEASURES_VERSION, measure_again
 from app.session.runs import SessionRuns
@@ -22,9 +22,7 @@ logger = logging.getLogger("bodydrive")
 class MeasuresRenewal:
     """Renews the measures of older versions once after the start, one trial after the other, the newest first."""
 
-    def __init__(
-        self, database: Database, runs: SessionRuns, computing: ComputingProcess, notify: Callable[[str], None]
-    ) -> None:
+    def __init__(self, database: Database, runs: SessionRuns, computing: ComputingProcess, notify: Notify) -> None:
         self._database = database
         self._runs = runs
         self._computing = computing
@@ -52,7 +50,7 @@ class MeasuresRenewal:
             except Exception:  # go on with the other trials; this one keeps its measures
                 logger.exception("Trial %d could not be measured again", trial)
         if renewed:
-            self._notify("trial")
+            self._notify(News(what="trial"))
 
     def _older(self) -> dict[int, str]:
         with self._database.reading() as db:

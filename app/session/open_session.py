@@ -1,11 +1,12 @@
 """The open session: load its patient's parameters, and refuse what must not be done during a step, trial or drive."""
 
 import asyncio
-from collections.abc import AsyncIterator, Callable, Sequence
+from collections.abc import AsyncIterator, Sequence
 from contextlib import asynccontextmanager, suppress
 from typing import Any, Literal, NamedTuple
 
 from app.calibration.vocabulary import DriveParameters
+from app.news import News, Notify
 from app.pipeline.person_brakes import missing_brake
 from app.refusals import Conflict, Refusal
 from app.session.calibration.calibration_flow import CalibrationFlow
@@ -22,6 +23,7 @@ from app.store.tables import PatientSession
 from app.texts import Text
 
 SILENT = Text("visit-shirt-silent")
+NOBODY = (None, None)  # ids of session and patient while no session is open
 
 
 class DriveObstacle(NamedTuple):
@@ -43,7 +45,7 @@ class SessionFlow:
         trials: TrialFlow,
         drives: RealDriveFlow,
         others: Sequence[RunFlow[Any]],
-        notify: Callable[[str], None],
+        notify: Notify,
     ) -> None:
         self._database = database
         self._control = control
@@ -114,9 +116,13 @@ class SessionFlow:
 
     async def session_changed(self) -> None:
         """Load the parameters of the patient who is here now; load none when nobody is here."""
-        self.session_id, self.patient_id = await asyncio.to_thread(self._open_ids)
+        before = (self.session_id, self.patient_id)
+        now = await asyncio.to_thread(self._open_ids)
+        self.session_id, self.patient_id = now
         await self.try_load_parameters()
-        self._notify("session")
+        shown = [ids for ids in dict.fromkeys((before, now)) if ids != NOBODY]  # the session before has ended
+        for session, patient in shown or [NOBODY]:
+            self._notify(News(what="session", patient=patient, session=session))
 
     async def load_parameters(self) -> Text | str | None:
         """Load the current parameters into the control process; return in one sentence why they cannot drive."""

@@ -84,7 +84,9 @@ class RealDriveFlow(RunFlow[RunningDrive]):
                 digest=digest,
             )
             write_log(db, starter.name, "armed", drive=drive.id, chair=chair.id, parameters=parameters_id, hash=digest)
-            return RunningDrive(drive.id, starter.person_id, starter.screen, run, DriveWatch())
+            return RunningDrive(
+                drive.id, session.patient_id, session.id, starter.person_id, starter.screen, run, DriveWatch()
+            )
 
     async def _measure(self, current: RunningDrive, figures: RunFigures) -> None:
         """Read the length (m) of the line that the chair drove by its own report."""

@@ -12,6 +12,7 @@ from numpy.typing import NDArray
 
 from app.computing_process import ComputingProcess
 from app.json_values import JsonDocument
+from app.news import News, Notify
 from app.refusals import Conflict, Unavailable
 from app.scoring.control_quality import ControlQuality
 from app.session.control_link import ControlLink
@@ -38,6 +39,8 @@ class CurrentRun:
     """A trial, a drive or an interface test that is going on."""
 
     id: int
+    patient_id: int
+    session_id: int
     person_id: int  # of the person who started it
     screen: str  # the random word of the screen that started it, which must stay in view of a trial or drive
     run: SessionRun
@@ -63,7 +66,7 @@ class RunFigures(TypedDict, total=False):
 
 
 class FlowMessages(NamedTuple):
-    """The messages of a flow, and the event by which pages are notified of it."""
+    """The messages of a flow, and the news that pages get of it."""
 
     event: Literal["trial", "drive", "test"]  # also chooses the sentences "visit-busy" and "visit-already-recorded"
     not_running: Text
@@ -80,7 +83,7 @@ class RunFlow(ABC, Generic[Current]):
         database: Database,
         control: ControlLink,
         runs: SessionRuns,
-        notify: Callable[[str], None],
+        notify: Notify,
         computing: ComputingProcess,
     ) -> None:
         self._database = database
@@ -175,7 +178,7 @@ class RunFlow(ABC, Generic[Current]):
     def _go_on(self, current: Current) -> int:
         """Follow what has begun to its end, in a task of its own; return its id."""
         self._task = asyncio.create_task(self._follow(current))
-        self._notify(self.messages.event)
+        self._notify(self._news_of(current))
         return current.id
 
     async def _follow(self, current: Current) -> None:
@@ -200,9 +203,14 @@ class RunFlow(ABC, Generic[Current]):
                 await asyncio.to_thread(self._save, current.id, end, figures)
             finally:  # also when the database is gone: it is over
                 self.current, self._finishing = None, False
-                self._notify(self.messages.event)
+                self._notify(self._news_of(current))
         for notify in self._listeners:
             notify(current.id)
+
+    def _news_of(self, current: Current) -> News:
+        what = self.messages.event
+        trial = current.id if what == "trial" else None
+        return News(what=what, patient=current.patient_id, session=current.session_id, trial=trial)
 
     @abstractmethod
     async def _measure(self, current: Current, figures: RunFigures) -> None:

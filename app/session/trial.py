@@ -155,7 +155,10 @@ class TrialFlow(RunFlow[RunningTrial]):
                 path_points=[[x, y] for x, y in path.points],
             )
             write_log(db, starter.name, "armed", trial=trial.id, parameters=parameters_id, picture=starter.picture)
-            return RunningTrial(trial.id, starter.person_id, starter.screen, run, TrialWatch(plan, path), plan, path)
+            watch = TrialWatch(plan, path)
+            return RunningTrial(
+                trial.id, session.patient_id, session.id, starter.person_id, starter.screen, run, watch, plan, path
+            )
 
     async def _measure(self, current: RunningTrial, figures: RunFigures) -> None:
         folder = current.run.folder

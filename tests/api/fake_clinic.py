@@ -12,6 +12,7 @@ from clinic_rows import ClinicRows
 from app.api.live.screens import Screen, Screens
 from app.api.parts import Parts, parts_of
 from app.clock import monotonic
+from app.news import What
 from app.session.open_session import SessionFlow
 from app.settings import Settings
 from app.speed_limits import Speeds
@@ -45,6 +46,11 @@ def next_message(socket: Any, is_it: Callable[[Any], bool], most: int = 5000) ->
         if is_it(message):
             return message
     raise AssertionError("no such message came")
+
+
+def is_news(what: What) -> Callable[[Any], bool]:
+    """Return what tells whether a message of a live socket has this news."""
+    return lambda message: message.get("news", {}).get("what") == what
 
 
 def sentence_of(answer: Any, status: int, asked: str = "") -> str:

@@ -116,6 +116,18 @@ def test_a_session_of_a_shown_patient_appears_at_once(reviewed: Clinic) -> None:
     assert picture["session"] == reviewed.good("GET", "/session")["session"]["id"]
 
 
+def test_news_of_another_patient_reaches_no_reviewer(reviewed: Clinic) -> None:
+    shown, hidden = reviewed.shown, reviewed.patient["id"]  # type: ignore[attr-defined]
+    with ExitStack() as stack:
+        with reviewed.as_person(reviewer(reviewed, shown)):
+            socket = stack.enter_context(reviewed.socket("/live"))
+            socket.receive_json()
+        reviewed.good("DELETE", f"/patients/{hidden}/consents/recording")
+        session = reviewed.open_session(shown)["session"]["id"]  # ends the other one, which is news, too
+        news = next_message(socket, lambda m: m.get("news", {}).get("patient"))["news"]
+    assert news == {"what": "session", "patient": shown, "session": session, "trial": None}
+
+
 def test_until_it_is_known_who_asks_no_patient_exists(settings: Settings) -> None:
     visible: dict[str, VisiblePatients] = {}
 

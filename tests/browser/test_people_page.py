@@ -12,6 +12,7 @@ from playwright.sync_api import expect
 
 from app.api.live.live_picture import ClinicLive
 from app.clock import utc_now
+from app.news import News
 from app.store.access import sign_ins
 
 pytestmark = [pytest.mark.browser]
@@ -213,7 +214,7 @@ def test_focus_an_open_part_and_what_was_typed_stay_when_news_come(opened, serve
     expect(code).to_be_focused()
     code.fill("P-98")
     served.good("POST", "/patients", {"code": "P-74", "pseudonym": "Swift", "note": ""})
-    served.app.state.parts[ClinicLive].notify("everything")
+    served.app.state.parts[ClinicLive].notify(News(what="session"))
     expect(page.get_by_role("listitem").filter(has_text="P-74")).to_be_visible()
     expect(code).to_be_focused()
     expect(code).to_have_value("P-98")

@@ -55,7 +55,7 @@ def _one(folder, dice, result, told, whole):
             else:
                 expect(ballast.stat().st_size == SIZE, "there was no ballast")
                 filler, full = fill(disk), monotonic()
-                until(live, lambda m: m.get("event") == "disk")
+                until(live, lambda m: m.get("news", {}).get("what") == "disk")
                 words = demo.client.get("/equipment").json()["disk"]["message"]
                 expect("is full" in words, f"the page was told '{words}'")
                 told.append(monotonic() - full)

@@ -9,6 +9,7 @@ import pytest
 from clinic_rows import rows_in
 
 from app.messages import TICK
+from app.news import News
 from app.refusals import Conflict, Unavailable
 from app.session.calibration.calibration_flow import CalibrationFlow
 from app.session.real_drive import RealDriveFlow
@@ -108,16 +109,22 @@ def test_a_run_is_followed_from_its_beginning_and_no_tick_before_it_is_read(
     assert asked == [first]
 
 
-@pytest.mark.parametrize(("kind", "event"), [(RealDriveFlow, "drive"), (TrialFlow, "trial")])
+@pytest.mark.parametrize(
+    ("kind", "news"),
+    [
+        (RealDriveFlow, News(what="drive", patient=2, session=3)),
+        (TrialFlow, News(what="trial", patient=2, session=3, trial=1)),
+    ],
+)
 @in_event_loop
-async def test_a_run_is_over_though_the_database_is_gone(tmp_path: Any, kind: Any, event: str) -> None:
-    events: list[str] = []
-    flow = kind(LostDatabase(), FakeControl(), runs_with(FakeControl(), tmp_path), events.append, None)
-    flow.current = SimpleNamespace(id=1, run=None, path=None)
+async def test_a_run_is_over_though_the_database_is_gone(tmp_path: Any, kind: Any, news: News) -> None:
+    told: list[News] = []
+    flow = kind(LostDatabase(), FakeControl(), runs_with(FakeControl(), tmp_path), told.append, None)
+    flow.current = SimpleNamespace(id=1, patient_id=2, session_id=3, run=None, path=None)
     with pytest.raises(OSError, match="gone"):
         await flow._finish(flow.current, "fault")
     assert not flow.running
-    assert events == [event]
+    assert told == [news]
 
 
 @in_event_loop
@@ -133,14 +140,15 @@ async def test_a_trial_is_being_measured_from_when_its_end_is_asked_for_until_it
     flow._runs = Closing(LostDatabase(), FakeControl(), tmp_path, lambda: True)  # type: ignore[arg-type]
     for asked in (False, True):
         flow._end_asked.clear()
-        flow.current = SimpleNamespace(id=1, run=None, path=None)  # type: ignore[assignment]
+        current: Any = SimpleNamespace(id=1, patient_id=2, session_id=3, run=None, path=None)
+        flow.current = current
         flow._task = asyncio.create_task(asyncio.sleep(0))
         seen.append(flow.measuring)
         if asked:
             await flow.end()
             seen.append(flow.measuring)
         with pytest.raises(OSError, match="gone"):
-            await flow._finish(flow.current, "by hand")  # type: ignore[arg-type]
+            await flow._finish(current, "by hand")
         seen.append(flow.measuring)
     assert seen == [False, True, False, False, True, True, False]
 

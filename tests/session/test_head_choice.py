@@ -30,7 +30,7 @@ class FakeControl:
 
 
 def choice(database: Database, control: FakeControl) -> HeadChoice:
-    return HeadChoice(database, control, lambda config: config, lambda _what: None)  # type: ignore[arg-type]
+    return HeadChoice(database, control, lambda config: config, lambda _news: None)  # type: ignore[arg-type]
 
 
 @pytest.fixture

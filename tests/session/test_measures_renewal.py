@@ -36,7 +36,7 @@ def renewed(database: Database, folder: Path, measures=None) -> None:
     runs = SimpleNamespace(open=None, folder_of=lambda run: folder / run)
 
     async def work():
-        renewal = MeasuresRenewal(database, runs, computing, lambda _event: None)
+        renewal = MeasuresRenewal(database, runs, computing, lambda _news: None)
         renewal.start()
         await renewal._task
 

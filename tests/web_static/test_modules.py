@@ -10,6 +10,7 @@ SCRIPTS = {
     "device": "the page that connects a device knows which one it is",
     "editor_logic": "the floor plan editor changes documents by its tools, and takes changes back",
     "moment_word": "the patient's screen has a large word for every end of a trial",
+    "news": "a page asks again only after news that may concern what it shows",
     "page_help": "every page says what it is for in three sentences, and has a drawing",
     "pages/first_path": "review begins with a task that can be compared, and says what counts",
     "pages/obstacle_link": "a calibration that does not fit leads to a new one",

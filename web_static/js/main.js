@@ -5,6 +5,7 @@
  */
 import { Api, ApiError, FORBIDDEN, failureWords } from "./api.js";
 import { Live } from "./live/live.js";
+import { concerns } from "./live/news.js";
 import { h, put } from "./widgets/dom.js";
 import { LANGUAGE } from "./language.js";
 import { chooseLanguage } from "./widgets/language_choice.js";
@@ -333,11 +334,15 @@ export class App extends TypedEvents {
     this.dispatchEvent(new Event("practice"));
   }
 
-  /** @param {string} what changed on the server */
-  #changed(what) {
-    if (what === "sign-in") this.#whoAmI();
-    else if (this.me?.signed_in) this.readSession().catch(() => null);
-    if (what === "equipment" || what === "trial" || what === "disk") this.#lookForWarning();
+  /** @param {import("./live/news.js").News} news of what changed on the server */
+  #changed(news) {
+    if (news.what === "sign-in") this.#whoAmI();
+    const patient = this.session?.patient?.id;
+    const isOfSession =
+      concerns(news, { what: ["session", "calibration", "controls", "equipment"] }) ||
+      concerns(news, { what: ["trial", "consent"], patient });
+    if (isOfSession && this.me?.signed_in) this.readSession().catch(() => null);
+    if (concerns(news, { what: ["equipment", "trial", "disk", "backups"] })) this.#lookForWarning();
   }
 }
 

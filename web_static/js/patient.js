@@ -36,7 +36,7 @@ class PatientPage {
     document.body.replaceChildren(this.#root, this.#practice.element);
     stayAwake();
     // After either event the pairing may have ended: ask the server for its state.
-    this.#live.addEventListener("changed", ({ detail }) => detail === "sign-in" && this.#ask());
+    this.#live.addEventListener("changed", ({ detail }) => detail.what === "sign-in" && this.#ask());
     this.#live.addEventListener("connection", () => !this.#live.connected && this.#ask());
     this.#live.addEventListener("tick", ({ detail }) => {
       this.#practice.show(detail.practice);

@@ -6,9 +6,10 @@ from typing import Annotated, Any
 from pydantic import Field
 
 from app.api.live.hub import LiveHub
+from app.news import News
 from app.texts import Text
 
-EVENT = "graphics"  # on the live sockets: count your pictures, and answer
+COUNT = News(what="graphics")  # on the live sockets: count your pictures, and answer
 ANSWER_LIMIT = 4.0  # s; the pages count for two seconds
 
 PicturesPerSecond = Annotated[float, Field(strict=True, allow_inf_nan=False, ge=0, le=1000)]
@@ -39,6 +40,6 @@ class Graphics:
         """Return the name of each open screen and its pictures a second, None for one that did not answer."""
         self._rates.clear()
         for hub in self._hubs:
-            hub.notify(EVENT)
+            hub.notify(COUNT)
         await asyncio.sleep(ANSWER_LIMIT)
         return [(name, self._rates.get(socket)) for socket, name in self._names.items()]

@@ -14,6 +14,7 @@ from starlette.websockets import WebSocketState
 
 from app.api.sockets import cut_off
 from app.clock import monotonic
+from app.news import News
 from app.texts import current_language, reader_language
 
 EVERY = 0.05  # s
@@ -41,13 +42,23 @@ class Viewer:
 
     websocket: WebSocket
     may_see: Callable[[], bool] = lambda: True
+    sees: Callable[[int], bool] = lambda _patient: True  # whether it may be told of a patient now, by id
     language: str = field(default_factory=current_language)  # of the request that opened the socket
-    events: dict[str, None] = field(default_factory=dict)  # names of changes that were not sent yet, in order
+    news: dict[News, None] = field(default_factory=dict)  # that were not sent yet, in order
     fresh: asyncio.Event = field(default_factory=asyncio.Event)  # set when there is a newer picture
+
+    def next_news(self) -> News | None:
+        """Return the next news to send, None when none waits; news of a patient whom it may not see is dropped."""
+        while self.news:
+            news = next(iter(self.news))
+            del self.news[news]
+            if news.patient is None or self.sees(news.patient):
+                return news
+        return None
 
 
 class LiveHub(Generic[Message]):
-    """Sends the newest picture to every viewer; a slow viewer misses pictures but no event.
+    """Sends the newest picture to every viewer; a slow viewer misses pictures but no news.
 
     The viewers get it one after another, a few in each turn of the event loop. To two hundred at once it would take
     longer than a Stop may wait, which needs several turns.
@@ -76,10 +87,10 @@ class LiveHub(Generic[Message]):
             self._task.cancel()
             await asyncio.gather(self._task, return_exceptions=True)
 
-    def notify(self, event: str) -> None:
-        """Send every page the name of what changed on the server."""
+    def notify(self, news: News) -> None:
+        """Send every page what changed on the server, except of a patient whom it may not see."""
         for viewer in self._viewers:
-            viewer.events[event] = None
+            viewer.news[news] = None
 
     async def serve(self, viewer: Viewer) -> None:
         """Send pictures to one page until it disconnects or does not take them within SEND_LIMIT."""
@@ -93,10 +104,9 @@ class LiveHub(Generic[Message]):
                 text = newest.whole if viewer.may_see() else newest.bare
                 if not text:
                     continue  # the page may see nothing since just now: the next picture is made for it
-                if viewer.events:
-                    event = next(iter(viewer.events))
-                    del viewer.events[event]
-                    text = _joined(text, json.dumps({"event": event}))
+                news = viewer.next_news()
+                if news is not None:
+                    text = _joined(text, json.dumps({"news": news.model_dump()}))
                 with suppress(RuntimeError):
                     async with asyncio.timeout(SEND_LIMIT):
                         await viewer.websocket.send_text(text)

@@ -51,6 +51,10 @@ class LiveViewing:
         self._shown = shown
         return sees
 
+    def sees(self, patient: int) -> bool:
+        """Return whether the person may see a patient now, who need not be here."""
+        return self._sockets.may_see(self._websocket, patient)
+
     async def close(self) -> None:
         """Wait until the last row is written."""
         await asyncio.gather(*self._rows)
@@ -82,7 +86,7 @@ class PageMessage(Document):
 
     `by`: whether the button of the page or a key made the stop.
     `acted`: the person has just touched the page or pressed a key; otherwise the sign-in is locked after a while.
-    `pictures`: how many pictures a second the page draws, when the event "graphics" asked for it.
+    `pictures`: how many pictures a second the page draws, when the news "graphics" asked for it.
     """
 
     move: Annotated[dict[Name, Fraction], Field(max_length=MAX_JOINTS)] | None = None
@@ -109,7 +113,7 @@ async def live(
         return
     await websocket.accept()
     viewing = LiveViewing(database, sockets, session_flow, websocket, person.name)
-    viewer = Viewer(websocket, viewing.may_see)
+    viewer = Viewer(websocket, viewing.may_see, viewing.sees)
     async with sockets.guarded(websocket, person):
         graphics.opened(websocket, Text("api-page-of", name=person.name))
         sending = asyncio.create_task(live.serve(viewer))

@@ -15,6 +15,7 @@ from app.api.live.live_picture import ClinicLive
 from app.api.live.screen_pictures import Picture, ScreenPictures
 from app.api.sockets import cut_off
 from app.clock import monotonic
+from app.news import News
 from app.quantities import Document
 from app.store.access.visible_patients import every_patient
 from app.store.patient_screens import screen_settings_of
@@ -62,7 +63,7 @@ async def patient_live(
     viewer = Viewer(websocket)
     async with sockets.guarded(websocket, screen):
         graphics.opened(websocket, Text("api-patients-screen"))
-        live.notify("screens")
+        live.notify(News(what="screens"))
         sending = asyncio.create_task(patient_hub.serve(viewer))
         try:
             await _receive(websocket, screen.screen_id, pictures, live, graphics)
@@ -74,7 +75,7 @@ async def patient_live(
             graphics.forget(websocket)
             sending.cancel()
             await asyncio.gather(sending, return_exceptions=True)
-    live.notify("screens")
+    live.notify(News(what="screens"))
 
 
 async def _receive(
@@ -111,7 +112,7 @@ async def _receive(
             continue
         limit = PATIENT_SCREEN_SILENCE
         if pictures.of_patient(screen_id, report.picture, websocket):
-            live.notify("screens")
+            live.notify(News(what="screens"))
 
 
 def _read(message: Mapping[str, Any]) -> PictureReport | None:

@@ -31,6 +31,7 @@ from app.api.sign_in.cookies import read_cookie, set_cookie
 from app.api.sign_in.identity import SCREEN_COOKIE
 from app.api.sign_in.sign_in_limits import address_of
 from app.api.sockets import OpenSockets
+from app.news import News
 from app.quantities import Document
 from app.refusals import Conflict
 from app.session.open_session import SessionFlow
@@ -198,7 +199,7 @@ async def pair(
     token = await run_in_threadpool(_pair)
     set_cookie(request, response, SCREEN_COOKIE, token, max_age=int(PAIRED_FOR.total_seconds()))
     await sockets.close_ended_screens()
-    live.notify("screens")
+    live.notify(News(what="screens"))
     return ScreenStateView(state="paired")
 
 
@@ -231,7 +232,7 @@ async def choose(
 
     await run_in_threadpool(_write)
     patient_picture.settings = body
-    live.notify("screens")
+    live.notify(News(what="screens"))
     return await paired.view()
 
 
@@ -254,5 +255,5 @@ async def unpair(
     await run_in_threadpool(_unpair)
     pictures.unpair(screen_id)
     await sockets.close_ended_screens()
-    live.notify("screens")
+    live.notify(News(what="screens"))
     return await paired.view()

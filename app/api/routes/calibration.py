@@ -13,6 +13,7 @@ from app.api.sign_in.identity import SignedInPerson
 from app.calibration.gestures.discovery import Discovery
 from app.calibration.linear_map import MapKind
 from app.calibration.vocabulary import standard_parameters
+from app.news import News, Notify, What
 from app.quantities import Document, Line, Name
 from app.refusals import Conflict
 from app.session.calibration.calibration_flow import CalibrationFlow
@@ -54,6 +55,11 @@ class SittingChoice(Document):
 
 async def _view(calibration_flow: CalibrationFlow, session: PatientSession) -> CalibrationView:
     return view_of(await calibration_flow.progress(session.id))
+
+
+def _notify(notify: Notify, session: PatientSession, *changed: What) -> None:
+    for what in changed:
+        notify(News(what=what, patient=session.patient_id, session=session.id))
 
 
 @router.get("")
@@ -150,7 +156,7 @@ async def choose(
         if calibration_flow.running:
             raise Conflict(Text("api-calibration-busy"))
         await asyncio.to_thread(choose_map, database, session.id, body.joint, body.map)
-    live.notify("calibration")
+    _notify(live.notify, session, "calibration")
     return await _view(calibration_flow, session)
 
 
@@ -176,7 +182,7 @@ async def say_how_it_sits(
             override_rotation, database, session.id, body.joint, person.name, is_right=body.is_right
         )
         await calibration_flow.fit_again(session.id)
-    live.notify("calibration")
+    _notify(live.notify, session, "calibration")
     return await _view(calibration_flow, session)
 
 
@@ -197,8 +203,7 @@ async def drive_now(
         await calibration_flow.fit_from_others(session.id)
         await _accept(person, database, calibration_flow, session_flow, session)
         await calibration_flow.learn(session.id)
-    for event in ("calibration", "controls", "session"):
-        live.notify(event)
+    _notify(live.notify, session, "calibration", "controls", "session")
     return await _view(calibration_flow, session)
 
 
@@ -214,8 +219,7 @@ async def fit_earlier(
         session = await session_flow.needed_session()
         await calibration_flow.fit_earlier(session.id, person.name)
         await session_flow.try_load_parameters()
-    for event in ("calibration", "controls", "adaptation"):
-        live.notify(event)
+    _notify(live.notify, session, "calibration", "controls", "adaptation")
     return await _view(calibration_flow, session)
 
 
@@ -232,8 +236,7 @@ async def accept(
         session = await session_flow.needed_session()
         await _accept(person, database, calibration_flow, session_flow, session)
         await calibration_flow.learn(session.id)
-    for event in ("calibration", "controls", "session"):
-        live.notify(event)
+    _notify(live.notify, session, "calibration", "controls", "session")
     return await _view(calibration_flow, session)
 
 

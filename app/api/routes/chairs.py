@@ -12,6 +12,7 @@ from app.api.sign_in.identity import SignedInPerson
 from app.hardware.addresses import Host
 from app.hardware.chair.key import Key
 from app.hardware.configs import RECEIVER_PORT, ReceiverPort
+from app.news import News
 from app.quantities import Document, Title
 from app.session.equipment.chairs import Chairs, Dynamics
 from app.session.equipment.pairing import pair_chair, unpair_chair
@@ -108,7 +109,7 @@ async def pair(
             return key
 
     key = await asyncio.to_thread(_pair)
-    live.notify("equipment")
+    live.notify(News(what="equipment"))
     view = await _view(database, chairs)
     return PairedView(**view.model_dump(), key_line=key.line, qr=qr_picture(key.line))
 
@@ -138,7 +139,7 @@ async def unpair(
         if chairs.chosen is not None and chairs.chosen.id == chair_id:
             await chairs.choose(None, chairs.dynamics)
         await asyncio.to_thread(_unpair)
-    live.notify("equipment")
+    live.notify(News(what="equipment"))
     return await _view(database, chairs)
 
 

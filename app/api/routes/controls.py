@@ -17,6 +17,7 @@ from app.api.sign_in.identity import SignedInPerson
 from app.calibration.gestures.suggestion import SuggestedVocabulary
 from app.calibration.vocabulary import Binding, ControlMode, CruiseTime, DriveParameters, Gesture, TurnCruiseTime
 from app.messages import MAX_GESTURES
+from app.news import News
 from app.quantities import Cutoff, Document, Title
 from app.sentences import one_sentence
 from app.session.calibration.gesture_discovery import GestureDiscoveries
@@ -116,9 +117,10 @@ class PatientControls:
                 return view
 
         async with self.session_flow.undisturbed():
-            view = await asyncio.to_thread(write, await self.session_flow.needed_session())
+            session = await self.session_flow.needed_session()
+            view = await asyncio.to_thread(write, session)
             await self.session_flow.try_load_parameters()
-        self.live.notify("controls")
+        self.live.notify(News(what="controls", patient=session.patient_id))
         return view
 
     def _view(self, db: Transaction, patient_id: int, suggestion: SuggestedVocabulary) -> ControlsView:

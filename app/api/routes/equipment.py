@@ -28,6 +28,7 @@ from app.computing_process import ComputingProcess
 from app.hardware.configs import KINDS, AnyShirtConfig, BodyConfig, HeadConfig
 from app.hardware.shirt.kind import ShirtKind
 from app.layout import MAX_CHANNELS, ShirtLayout
+from app.news import News
 from app.quantities import Document, Line, Name
 from app.refusals import Refusal
 from app.session.control_link import ControlLink
@@ -207,7 +208,7 @@ State = Annotated[EquipmentState, Depends(parts_for(EquipmentState))]
 async def read_equipment(_person: Anyone, state: State) -> EquipmentView:
     """Return the equipment in use, and what can be chosen.
 
-    `shirt` null: none chosen yet. `disk.message` is empty above 2 GB and changes within a second (event `disk`).
+    `shirt` null: none chosen yet. `disk.message` is empty above 2 GB and changes within a second (news `disk`).
     """
     return await state.view()
 
@@ -353,7 +354,7 @@ async def bring_file(
             add_patient_file(db, stored.name)
 
     await asyncio.to_thread(note_patient)
-    live.notify("equipment")
+    live.notify(News(what="equipment"))
     return await state.logged_view(
         person.name,
         "file added",

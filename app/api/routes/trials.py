@@ -34,6 +34,7 @@ from app.api.one_controller import Authority
 from app.api.page_session import OWN_NAME, ClinicianInSession, any_session
 from app.api.routes.source_view import SourceView
 from app.api.sign_in.identity import SignedInPerson
+from app.news import News
 from app.quantities import Count, Document, Line, Name
 from app.refusals import Conflict, NotFound, Unavailable
 from app.scoring.control_quality import ControlQuality
@@ -274,12 +275,13 @@ async def keep_again(trial_id: RowId, person: Clinician, database: Db, live: Liv
 async def _keep(
     database: Database, live: ClinicLive, person: SignedInPerson, trial_id: int, reason: str | None
 ) -> TrialView:
-    def _write() -> TrialView:
+    def _write() -> tuple[TrialView, News]:
         with database.transaction() as db:
             trial = keep_trial(db, trial_id, reason)
             write_log(db, person.name, "trial kept" if reason is None else "trial discarded", trial=trial_id)
-            return _view(db, trial)
+            news = News(what="trial", patient=trial.patient_id, session=trial.session_id, trial=trial_id)
+            return _view(db, trial), news
 
-    stored = await asyncio.to_thread(_write)
-    live.notify("trial")
+    stored, news = await asyncio.to_thread(_write)
+    live.notify(news)
     return stored

@@ -6,14 +6,13 @@ from app.features.backup.tables import MadeBackup, NightBackupSettings
 from app.features.registration import Feature
 
 if TYPE_CHECKING:
-    from collections.abc import Callable
-
     from app.features.registration import Background
+    from app.news import Notify
     from app.settings import Settings
     from app.store.database import Database
 
 
-def night_backups(database: "Database", settings: "Settings", notify: "Callable[[str], None]") -> "Background":
+def night_backups(database: "Database", settings: "Settings", notify: "Notify") -> "Background":
     """Return what makes the backup of every night."""
     from app.features.backup.night_backups import NightBackups
 

@@ -6,7 +6,6 @@ notice.
 
 import asyncio
 import logging
-from collections.abc import Callable
 from dataclasses import asdict
 from datetime import datetime, timedelta
 from pathlib import Path
@@ -20,6 +19,7 @@ from app.features.backup.backup_process import BackupJob, BackupMessage
 from app.features.backup.made_backups import add_backup, last_in_folder
 from app.features.backup.night_secret import read_secret
 from app.features.backup.tables import NightBackupSettings
+from app.news import News, Notify
 from app.refusals import Conflict, Refusal
 from app.settings import Settings
 from app.store.access.visible_patients import own_clinic_id
@@ -65,7 +65,7 @@ class BackupProgress(NamedTuple):
 class NightBackups:
     """Looks every minute whether a backup is due, and makes one when somebody asks."""
 
-    def __init__(self, database: Database, settings: Settings, notify: Callable[[str], None]) -> None:
+    def __init__(self, database: Database, settings: Settings, notify: Notify) -> None:
         self._database = database
         self._settings = settings
         self._notify = notify
@@ -116,7 +116,7 @@ class NightBackups:
             logger.exception("A backup could not be put into the log")
         finally:
             self.course = None
-            self._notify("backups")
+            self._notify(News(what="backups"))
 
     async def _answer(self, job: BackupJob) -> BackupMessage:
         """Return the last message of the process that makes the backup."""

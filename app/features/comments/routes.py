@@ -19,6 +19,7 @@ from app.features.comments.service import (
     revise_comment,
     withdraw_comment,
 )
+from app.news import News
 from app.quantities import Document, Note
 from app.refusals import NotFound
 from app.store.database import Transaction
@@ -102,8 +103,8 @@ def new_comment(trial_id: RowId, body: NewComment, person: Anyone, database: Db,
         trial = _trial(db, trial_id)
         comment = add_comment(db, trial, person.person_id, body.t, body.text)
         write_log(db, person.name, "comment added", patient=trial.patient_id, trial=trial_id, comment=comment.id)
-        answer = _views(db, trial, person)
-    live.notify("record")
+        answer, news = _views(db, trial, person), _news_of(trial)
+    live.notify(news)
     return answer
 
 
@@ -126,8 +127,8 @@ def new_comment_text(
         trial = db.get_one(Trial, comment.trial_id)
         if revise_comment(db, comment, person.person_id, body.text):
             write_log(db, person.name, "comment revised", patient=trial.patient_id, trial=trial.id, comment=comment_id)
-        answer = _views(db, trial, person)
-    live.notify("record")
+        answer, news = _views(db, trial, person), _news_of(trial)
+    live.notify(news)
     return answer
 
 
@@ -140,8 +141,8 @@ def no_comment(comment_id: RowId, person: Anyone, database: Db, live: LivePart) 
         trial = db.get_one(Trial, comment.trial_id)
         withdraw_comment(db, comment, person.person_id)
         write_log(db, person.name, "comment withdrawn", patient=trial.patient_id, trial=trial.id, comment=comment_id)
-        answer = _views(db, trial, person)
-    live.notify("record")
+        answer, news = _views(db, trial, person), _news_of(trial)
+    live.notify(news)
     return answer
 
 
@@ -151,6 +152,10 @@ def _trial(db: Transaction, trial_id: int) -> Trial:
     if trial.status != "done":
         raise NotFound(Text("comments-trial-running"))
     return trial
+
+
+def _news_of(trial: Trial) -> News:
+    return News(what="comment", patient=trial.patient_id, session=trial.session_id, trial=trial.id)
 
 
 def _views(db: Transaction, trial: Trial, person: SignedInPerson) -> list[CommentView]:

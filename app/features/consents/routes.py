@@ -9,6 +9,7 @@ from app.api.deps import Anyone, Clinician, Db, LivePart, RowId
 from app.api.page_session import OWN_NAME, any_session
 from app.features.consents.service import consent_history, give_consent, withdraw_consent
 from app.features.registration import features
+from app.news import News
 from app.quantities import Document
 from app.store.consent import CONSENTS, Consent
 from app.store.database import Transaction
@@ -74,7 +75,7 @@ def give(
             given = body.given.isoformat()
             write_log(db, person.name, "consent given", patient=patient_id, consent=consent, given=given)
         answer = _view(db, patient_id)
-    live.notify("session")
+    live.notify(News(what="consent", patient=patient_id))
     return answer
 
 
@@ -89,7 +90,7 @@ def withdraw(patient_id: RowId, consent: Consent, person: Clinician, database: D
         for feature in features().values():
             feature.consent_withdrawn(db, patient_id, consent)
         answer = _view(db, patient_id)
-    live.notify("session")
+    live.notify(News(what="consent", patient=patient_id))
     return answer
 
 

@@ -9,9 +9,8 @@ from typing import TYPE_CHECKING, Any, Final
 from app.features.registration import Feature
 
 if TYPE_CHECKING:
-    from collections.abc import Callable
-
     from app.computing_process import ComputingProcess
+    from app.news import Notify
     from app.session.control_link import ControlLink
     from app.session.run_flow import RunFlow
     from app.session.runs import SessionRuns
@@ -22,7 +21,7 @@ def flow(
     database: "Database",
     control: "ControlLink",
     runs: "SessionRuns",
-    notify: "Callable[[str], None]",
+    notify: "Notify",
     computing: "ComputingProcess",
 ) -> "RunFlow[Any]":
     """Return what starts a test and follows it to its measures."""

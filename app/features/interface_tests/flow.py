@@ -95,7 +95,10 @@ class InterfaceTestFlow(RunFlow[RunningInterfaceTest]):
                 plan=plan.model_dump(mode="json"),
             )
             write_log(db, starter.name, "test started", test=test.id, parameters=parameters_id)
-            return RunningInterfaceTest(test.id, starter.person_id, starter.screen, run, InterfaceTestWatch(plan))
+            watch = InterfaceTestWatch(plan)
+            return RunningInterfaceTest(
+                test.id, session.patient_id, session.id, starter.person_id, starter.screen, run, watch
+            )
 
     async def _measure(self, current: RunningInterfaceTest, figures: RunFigures) -> None:
         plan, folder = current.watch.task.plan, current.run.folder

@@ -12,6 +12,7 @@ from app.api.page_session import ClinicianInSession
 from app.api.parts import part
 from app.features.interface_tests.flow import InterfaceTestFlow
 from app.features.interface_tests.service import find_interface_test, save_workload
+from app.news import News
 from app.quantities import Document
 from app.refusals import Conflict
 from app.scoring.interface_test.interface_course import InterfaceCourse, StoredTest, counted_tests, interface_course
@@ -103,14 +104,14 @@ async def put_workload(
     `raw_tlx` is the mean of six answers, null when one is missing.
     """
 
-    def _write() -> InterfaceTestView:
+    def _write() -> tuple[InterfaceTestView, News]:
         with database.transaction() as db:
             test = save_workload(db, test_id, body.model_dump() if body.answers else None)
             write_log(db, person.name, "workload answered", test=test_id, answers=len(body.answers))
-            return _view(db, test)
+            return _view(db, test), News(what="test", patient=test.patient_id, session=test.session_id)
 
-    saved = await asyncio.to_thread(_write)
-    live.notify("test")
+    saved, news = await asyncio.to_thread(_write)
+    live.notify(news)
     return saved
 
 

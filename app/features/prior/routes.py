@@ -6,6 +6,7 @@ from app.api.deps import Anyone, Db, EquipmentPart, LivePart, Owner
 from app.api.page_session import OF_CLINIC, any_session
 from app.calibration.prior.documents import FEWEST_PEOPLE
 from app.features.prior.entries import count_entries, is_prior_on, switch_prior
+from app.news import News
 from app.quantities import Document
 from app.session.calibration.calibration_fit import garment
 from app.session.equipment.shirt import Equipment
@@ -44,7 +45,7 @@ def choose(body: PriorChoice, person: Owner, database: Db, equipment: EquipmentP
         if switch_prior(db, on=body.on):
             write_log(db, person.name, "prior switched", on=body.on)
         answer = _view(db, equipment)
-    live.notify("calibration")
+    live.notify(News(what="calibration"))
     return answer
 
 

@@ -15,6 +15,7 @@ from app.api.sign_in.identity import SignedInPerson
 from app.features.records.service import add_note, add_scale, remove_scale, revise_note, write_goal
 from app.features.records.session_views import SessionRecordView, SessionRow, record_view, sign_off_view
 from app.features.records.sign_off import require_unsigned, sign_off, sign_offs_of, unlock
+from app.news import News
 from app.quantities import Document, Finite, Line, Note, Title
 from app.store.database import Database, Transaction
 from app.store.log import log_session_viewing, log_viewing, write_log
@@ -161,8 +162,12 @@ def _changed(
         if details is not None:
             write_log(db, person.name, what, patient=session.patient_id, session=session_id, **details)
         answer = record_view(db, session)
-    live.notify("record")
+    live.notify(_news_of(answer))
     return answer
+
+
+def _news_of(record: SessionRecordView) -> News:
+    return News(what="record", patient=record.patient_id, session=record.id)
 
 
 class Unlock(Document):
@@ -201,7 +206,7 @@ async def sign_session_off(
             await sockets.close_ended_screens()
             await view_keeper.close()
             await session_flow.session_changed()
-    live.notify("record")
+    live.notify(_news_of(answer))
     return answer
 
 
@@ -218,5 +223,5 @@ def unlock_session(session_id: RowId, body: Unlock, person: Owner, database: Db,
         details = {"patient": session.patient_id, "session": session_id, "signed_by": row.person}
         write_log(db, person.name, "session unlocked", **details)
         answer = record_view(db, session)
-    live.notify("record")
+    live.notify(_news_of(answer))
     return answer

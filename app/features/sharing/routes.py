@@ -25,6 +25,7 @@ from app.features.sharing.service import (
     share_state,
     shares_of,
 )
+from app.news import News
 from app.quantities import Document
 from app.store.consent import require_consent
 from app.store.database import Transaction
@@ -33,8 +34,12 @@ from app.store.patients import find_patient, find_session
 
 router = APIRouter(tags=["sharing"])
 
-CHANGED = "shares"  # the event that tells pages that a link was made, tried, opened or revoked
 PAGE = "share.html#"  # followed by the token: what stands behind # is never sent to a server
+
+
+def news_of_shares(patient_id: int) -> News:
+    """Return the news that a link of a patient was made, tried, opened or revoked."""
+    return News(what="shares", patient=patient_id)
 
 
 class NewShare(Document):
@@ -116,7 +121,7 @@ class NewLinks:
         address = await asyncio.to_thread(own_address, self.settings, self.request)
         pin = new_pin()
         share_link = await run_in_threadpool(store, await self.passwords.hash_of(pin))
-        self.live.notify(CHANGED)
+        self.live.notify(news_of_shares(share_link.patient_id))
         return share_link
 
 
@@ -124,7 +129,7 @@ class NewLinks:
 def list_shares(patient_id: RowId, person: Clinician, database: Db) -> SharesView:
     """List the share links of a patient.
 
-    For owners and clinicians: with the count and last time of openings (event `shares`; visitors have no names).
+    For owners and clinicians: with the count and last time of openings (news `shares`; visitors have no names).
     """
     with database.transaction(closing=True) as db:
         find_patient(db, patient_id)
@@ -172,7 +177,7 @@ def no_share(share_id: RowId, person: Clinician, database: Db, live: LivePart) -
         revoke_share(db, link)
         write_log(db, person.name, "share link revoked", patient=link.patient_id, share=share_id)
         answer = SharesView(patient_id=link.patient_id, shares=_rows(db, link.patient_id))
-    live.notify(CHANGED)
+    live.notify(news_of_shares(answer.patient_id))
     return answer
 
 

@@ -18,7 +18,7 @@ from app.api.sign_in.passwords import BUSY, BUSY_FOR
 from app.api.sign_in.sign_in_limits import address_of
 from app.computing_process import ComputingProcess
 from app.features.sharing.attention import tasks_of
-from app.features.sharing.routes import CHANGED
+from app.features.sharing.routes import news_of_shares
 from app.features.sharing.service import (
     VISIT,
     SharedRecords,
@@ -163,7 +163,7 @@ async def open_share(
         await run_in_threadpool(_take_back, database, share_id)
         await sign_in_limits.refuse(503, BUSY, BUSY_FOR)
     token = await run_in_threadpool(_note, database, share_id, patient_id, is_right=is_right)
-    live.notify(CHANGED)
+    live.notify(news_of_shares(patient_id))
     if token is None:
         raise HTTPException(401, str(WRONG))
     attempt.take_back()

@@ -2,7 +2,6 @@
 
 import asyncio
 import math
-from collections.abc import Callable
 from typing import NamedTuple
 
 from app.calibration.profile import CalibrationProfile
@@ -11,6 +10,7 @@ from app.clock import monotonic
 from app.computing_process import ComputingProcess
 from app.json_values import JsonDocument
 from app.layout import ShirtLayout
+from app.news import News, Notify
 from app.refusals import Conflict, Refusal
 from app.session.calibration.calibration_fit import CalibrationFit, garment
 from app.session.calibration.calibration_progress import Progress
@@ -49,7 +49,7 @@ class CalibrationFlow:
         control: ControlLink,
         equipment: Equipment,
         runs: SessionRuns,
-        notify: Callable[[str], None],
+        notify: Notify,
         computing: ComputingProcess,
         prior: OthersPrior,
     ) -> None:
@@ -102,7 +102,7 @@ class CalibrationFlow:
         )
         await asyncio.sleep(0)  # let it begin: a task cancelled before that would never close its recording
         self._task = task
-        self._notify("calibration")
+        self._notify(News(what="calibration"))
 
     async def cancel(self, session_id: int, step_id: str) -> None:
         """Stop recording a step; its status is then "waiting" again.
@@ -186,13 +186,13 @@ class CalibrationFlow:
                 db.get_one(PatientSession, session_id).current_step = step_id
 
         await asyncio.to_thread(_write)
-        self._notify("calibration")
+        self._notify(News(what="calibration"))
 
     async def restart(self, session_id: int) -> None:
         """Begin the calibration anew; the recordings made so far stay on disk but no longer count."""
         self._refuse_while_running()
         await asyncio.to_thread(self._begin, session_id, self._equipment.needed_layout())
-        self._notify("calibration")
+        self._notify(News(what="calibration"))
 
     async def _record(self, session_id: int, step: Step, number: int, *, stays: bool) -> None:
         status = "failed"
@@ -237,7 +237,7 @@ class CalibrationFlow:
 
     def _ended(self) -> None:
         self._running = None
-        self._notify("calibration")
+        self._notify(News(what="calibration"))
 
     async def _wait(self, number: int, duration: float) -> Text | None:
         """Wait until the run's own time has passed `duration`; return in words why it did not."""
@@ -271,7 +271,7 @@ class CalibrationFlow:
         """Fit the map from the recordings, show the status of the fit as that of the result step, return why not."""
         self._running = RESULT
         await asyncio.to_thread(self._set, session_id, RESULT, "running", Text("visit-fitting"), None, None)
-        self._notify("calibration")
+        self._notify(News(what="calibration"))
         status = "failed"
         reason: Text | str | None = Text("visit-fit-interrupted")
         try:

@@ -1,10 +1,10 @@
 """The chair in use: the virtual one or one of the paired ones; opened by the control process."""
 
-from collections.abc import Callable
 from pathlib import Path
 from typing import Literal
 
 from app.json_values import JsonDocument
+from app.news import News, Notify
 from app.refusals import Conflict, Refusal, Unavailable
 from app.session.control_link import ControlLink
 from app.session.equipment.choice import ClinicChoice, without_folders
@@ -22,7 +22,7 @@ VIRTUAL_CHAIR = Text("visit-chair-virtual")
 class Chairs(ClinicChoice):
     """The chair in use, virtual or real; a real chair that does not open is never replaced by another."""
 
-    def __init__(self, database: Database, control: ControlLink, keys: Path, notify: Callable[[str], None]) -> None:
+    def __init__(self, database: Database, control: ControlLink, keys: Path, notify: Notify) -> None:
         super().__init__(database, control, notify)
         self._keys = keys
         self.chosen: PairedChair | None = None  # None: the virtual chair
@@ -47,7 +47,7 @@ class Chairs(ClinicChoice):
             raise Conflict(without_folders(text_of(refusal), self._keys)) from refusal
         self.chosen, self.dynamics, self.failure = chair, dynamics, None
         await self._in_clinic(self._write)
-        self._notify("equipment")
+        self._notify(News(what="equipment"))
 
     async def state(self) -> Text | str:
         """Return the state of the chosen chair in a sentence."""

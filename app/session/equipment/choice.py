@@ -4,6 +4,7 @@ import asyncio
 from collections.abc import Callable
 from pathlib import Path
 
+from app.news import Notify
 from app.session.control_link import ControlLink
 from app.store.database import Database, Transaction
 from app.store.people import the_clinic
@@ -14,7 +15,7 @@ from app.texts import Text
 class ClinicChoice:
     """What every such choice needs: the clinic's row, the control link, and a way to tell the pages."""
 
-    def __init__(self, database: Database, control: ControlLink, notify: Callable[[str], None]) -> None:
+    def __init__(self, database: Database, control: ControlLink, notify: Notify) -> None:
         self._database = database
         self._control = control
         self._notify = notify

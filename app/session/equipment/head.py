@@ -3,6 +3,7 @@
 from collections.abc import Callable
 
 from app.json_values import JsonDocument
+from app.news import News, Notify
 from app.refusals import Refusal, Unavailable
 from app.session.control_link import ControlLink
 from app.session.equipment.choice import ClinicChoice
@@ -17,9 +18,7 @@ WithPath = Callable[[JsonDocument], JsonDocument]
 class HeadChoice(ClinicChoice):
     """The head tracker in use; None: the head counts as looking straight ahead."""
 
-    def __init__(
-        self, database: Database, control: ControlLink, with_path: WithPath, notify: Callable[[str], None]
-    ) -> None:
+    def __init__(self, database: Database, control: ControlLink, with_path: WithPath, notify: Notify) -> None:
         super().__init__(database, control, notify)
         self._with_path = with_path
         self.config: JsonDocument | None = None
@@ -59,4 +58,4 @@ class HeadChoice(ClinicChoice):
 
         self.config, self.failure = config, None
         await self._in_clinic(_write)
-        self._notify("equipment")
+        self._notify(News(what="equipment"))

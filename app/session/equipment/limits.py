@@ -1,8 +1,8 @@
 """The speed limits of the clinic's owner: stored with the clinic, enforced by the control process."""
 
-from collections.abc import Callable
 from contextlib import suppress
 
+from app.news import News, Notify
 from app.refusals import Refusal
 from app.session.control_link import ControlLink
 from app.session.equipment.choice import ClinicChoice
@@ -16,7 +16,7 @@ from app.store.tables import Clinic
 class ClinicLimits(ClinicChoice):
     """The clinic's speed limits: nobody here drives faster, whatever a parameter set or a chair would allow."""
 
-    def __init__(self, database: Database, control: ControlLink, notify: Callable[[str], None]) -> None:
+    def __init__(self, database: Database, control: ControlLink, notify: Notify) -> None:
         super().__init__(database, control, notify)
         self.speeds = HIGHEST_SPEEDS
 
@@ -36,7 +36,7 @@ class ClinicLimits(ClinicChoice):
             write_log(db, person, "limits set", before=before.model_dump(), now=speeds.model_dump())
 
         await self._in_clinic(_write)
-        self._notify("controls")
+        self._notify(News(what="controls"))
 
     async def _load(self, speeds: Speeds) -> None:
         await self._control.load("limits", clinic=speeds.model_dump(mode="json"))

@@ -1,6 +1,6 @@
 """The shirt in use, the simulated body inside it, and the channels that are marked as unused."""
 
-from collections.abc import Callable, Iterable
+from collections.abc import Iterable
 from pathlib import Path
 from typing import Literal
 
@@ -9,6 +9,7 @@ from pydantic import ValidationError
 from app.hardware.configs import SHIRTS
 from app.json_values import JsonDocument
 from app.layout import ShirtLayout
+from app.news import News, Notify
 from app.refusals import Conflict, NotFound, Refusal, Unavailable
 from app.session.control_link import ControlLink
 from app.session.equipment.choice import ClinicChoice, without_folders
@@ -40,7 +41,7 @@ class Equipment(ClinicChoice):
         control: ControlLink,
         files: Path,
         keys: Path,
-        notify: Callable[[str], None],
+        notify: Notify,
         *,
         demonstration: bool,
     ) -> None:
@@ -121,7 +122,7 @@ class Equipment(ClinicChoice):
         before, self.silent = self.silent, self.layout is not None and bool(shirt["silent"])
         self.state = from_document(shirt["words"])
         if self.silent != before:
-            self._notify("equipment")
+            self._notify(News(what="equipment"))
 
     async def use_body(self, config: JsonDocument) -> None:
         """Choose another simulated body for the simulated shirt."""
@@ -175,7 +176,7 @@ class Equipment(ClinicChoice):
     async def use_sender(self, sender: str) -> None:
         """Take another sender (HOST:PORT) as the shirt from now on."""
         await self._control.call("sender", sender=sender)
-        self._notify("equipment")
+        self._notify(News(what="equipment"))
 
     def with_paths(self, config: JsonDocument) -> JsonDocument:
         """Return the configuration of a shirt with the paths of its files and its key in place of their names."""
@@ -205,7 +206,7 @@ class Equipment(ClinicChoice):
             clinic.shirt, clinic.body, clinic.unused = self.shirt, self.body, list(self.unused)
 
         await self._in_clinic(_write)
-        self._notify("equipment")
+        self._notify(News(what="equipment"))
 
 
 def _path_of(name: str, files: Iterable[Path], kind: Literal["key", "file"]) -> str:

@@ -3,11 +3,11 @@
 import asyncio
 import logging
 import shutil
-from collections.abc import Callable
 from dataclasses import dataclass
 from pathlib import Path
 
 from app.disk_room import LITTLE_ROOM, NO_ROOM, ROOM_TO_RECORD
+from app.news import News, Notify
 from app.refusals import DiskFull
 from app.store.files.ballast import Ballast
 from app.texts import Figure, Text
@@ -47,7 +47,7 @@ def require_room_to_record(folder: Path) -> None:
 class DiskWatch:
     """Checks the disk every second: notifies the pages when the sentence changes, and refills the ballast."""
 
-    def __init__(self, folder: Path, ballast: Ballast, notify: Callable[[str], None]) -> None:
+    def __init__(self, folder: Path, ballast: Ballast, notify: Notify) -> None:
         self._folder = folder
         self._ballast = ballast
         self._notify = notify
@@ -73,7 +73,7 @@ class DiskWatch:
                 message = self._message
             if message != self._message:
                 self._message = message
-                self._notify("disk")
+                self._notify(News(what="disk"))
             await asyncio.sleep(WATCH_EVERY)
 
     def _check(self) -> Text | None:

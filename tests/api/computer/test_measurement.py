@@ -8,7 +8,7 @@ from contextlib import contextmanager
 from typing import Any
 
 import pytest
-from api.fake_clinic import Clinic, next_message
+from api.fake_clinic import Clinic, is_news, next_message
 
 from app.api.computer import graphics
 from app.api.computer.measurement import BUSY, FAILED, INTERRUPTED, UNDER_WAY
@@ -69,7 +69,7 @@ def test_it_says_what_the_command_says_and_each_screen_draws(paired: Clinic, mon
     ):
         asked = Asked(paired, 1)
         for socket in (page, screen):
-            next_message(socket, lambda m: m.get("event") == "graphics")
+            next_message(socket, is_news("graphics"))
         for pictures in (-1.0, 58.4):  # nonsense changes nothing
             page.send_json({"pictures": pictures})
         screen.send_json({"pictures": 12})

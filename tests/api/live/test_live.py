@@ -24,11 +24,16 @@ def test_the_newest_tick_twenty_times_a_second(signed_in: Any) -> None:
         assert len(quality["quality"]) == len(quality["noise"]) == 8
 
 
-def test_an_event_names_what_changed(signed_in: Any) -> None:
+def test_news_names_what_changed_and_whom_it_concerns(signed_in: Any) -> None:
     with signed_in.socket("/live") as socket:
         socket.receive_json()
         signed_in.begin_session()
-        assert next_message(socket, lambda m: "event" in m)["event"] == "session"
+        here = signed_in.good("GET", "/session")
+        patient, session = here["patient"]["id"], here["session"]["id"]
+        told = {"what": "session", "patient": patient, "session": session, "trial": None}
+        assert next_message(socket, lambda m: "news" in m)["news"] == told
+        signed_in.good("DELETE", "/session")
+        assert next_message(socket, lambda m: "news" in m)["news"] == told  # of the session that has ended
 
 
 @pytest.mark.parametrize("origin", [None, "http://evil.example"])

@@ -1,6 +1,7 @@
-"""The live picture is sent on after an error, and never from before a page came."""
+"""The live picture is sent on after an error, never from before a page came, and with the news for that page."""
 
 import asyncio
+import json
 from typing import ClassVar
 
 import pytest
@@ -10,6 +11,7 @@ from starlette.websockets import WebSocketState
 from app.api.live import hub as hub_module
 from app.api.live.hub import LiveHub, Viewer
 from app.api.sockets import CUT_OFF
+from app.news import News
 from app.texts import Text
 from event_loop import in_event_loop
 
@@ -27,15 +29,16 @@ class Titled(BaseModel):
 
 
 class Page:
-    """An open page that keeps its messages, and disconnects after the second picture."""
+    """An open page that keeps its messages, and disconnects after some pictures."""
 
-    def __init__(self) -> None:
+    def __init__(self, pictures: int = 2) -> None:
         self.application_state = WebSocketState.CONNECTED
         self.sent: list[str] = []
+        self._pictures = pictures
 
     async def send_text(self, text: str) -> None:
         self.sent.append(text)
-        if len(self.sent) == 2:
+        if len(self.sent) == self._pictures:
             self.application_state = WebSocketState.DISCONNECTED
 
 
@@ -131,3 +134,35 @@ async def test_each_page_gets_the_picture_in_its_language(monkeypatch: pytest.Mo
     await hub.close()
     assert set(pages["en"].sent) == {'{"title":"Where to?"}'}
     assert set(pages["de"].sent) == {'{"title":"Wohin?"}'}
+
+
+async def told(page: Page, *news: News, sees: frozenset[int]) -> list[News]:
+    """Return the news that a page gets when these wait for it; `sees`: the patients whom it may see."""
+    hub = LiveHub(Shown)
+    viewer = Viewer(page, sees=sees.__contains__)  # type: ignore[arg-type]
+    serving = asyncio.create_task(hub.serve(viewer))
+    await asyncio.sleep(0)  # it is a viewer from now on
+    for each in news:
+        hub.notify(each)
+    hub.start()
+    async with asyncio.timeout(5):
+        await serving
+    await hub.close()
+    messages = [json.loads(text) for text in page.sent]
+    return [News(**message["news"]) for message in messages if "news" in message]
+
+
+@in_event_loop
+async def test_news_comes_in_order_one_with_each_picture_and_equal_ones_once(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(hub_module, "EVERY", 0.001)
+    first, other, shirt = News(what="trial", patient=1), News(what="trial", patient=2), News(what="equipment")
+    again = first.model_copy()
+    assert await told(Page(5), first, other, again, shirt, other, sees=frozenset({1, 2})) == [first, other, shirt]
+
+
+@in_event_loop
+async def test_a_page_gets_no_news_of_a_patient_whom_it_may_not_see(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(hub_module, "EVERY", 0.001)
+    seen, hidden, shirt = News(what="trial", patient=1), News(what="trial", patient=2), News(what="equipment")
+    assert await told(Page(4), hidden, seen, hidden, shirt, sees=frozenset({1})) == [seen, shirt]
+    assert await told(Page(4), hidden, seen, shirt, sees=frozenset()) == [shirt]

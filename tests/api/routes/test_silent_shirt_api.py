@@ -1,7 +1,7 @@
 """A shirt that falls silent: the pages are told, nothing is started, and all is well once it sends again."""
 
 import pytest
-from api.fake_clinic import WHERE, WORD, Clinic, next_message
+from api.fake_clinic import WHERE, WORD, Clinic, is_news, next_message
 
 from app.session.equipment import shirt_watch
 from app.session.equipment.shirt import Equipment
@@ -19,7 +19,7 @@ def test_nothing_is_started_while_the_shirt_is_silent_and_the_pages_know_why(cal
     assert calibrated.good("GET", "/session")["obstacle"] is None
     with calibrated.socket("/live") as socket:
         process.sends, process.shirt_words = False, NO_FRAMES
-        next_message(socket, lambda m: m.get("event") == "equipment")  # the pages are told
+        next_message(socket, is_news("equipment"))  # the pages are told
         obstacle = calibrated.good("GET", "/session")["obstacle"]
         assert obstacle["page"] == "shirt"
         assert calibrated.good("GET", "/controls/obstacle") == obstacle
@@ -30,7 +30,7 @@ def test_nothing_is_started_while_the_shirt_is_silent_and_the_pages_know_why(cal
         next_message(socket, lambda m: m.get("shirt_words") == NO_FRAMES)
 
         process.sends, process.shirt_words = True, "Sends."
-        next_message(socket, lambda m: m.get("event") == "equipment")  # the pages are told
+        next_message(socket, is_news("equipment"))  # the pages are told
         assert calibrated.good("GET", "/session")["obstacle"] is None
         calibrated.start_trial()
 

@@ -10,6 +10,7 @@ from browser.served.served_clinic import OWNER
 from playwright.sync_api import expect
 
 from app.api.live.live_picture import ClinicLive
+from app.news import News
 from app.session.calibration import calibration_flow
 
 pytestmark = [pytest.mark.browser]
@@ -80,7 +81,7 @@ def show_news(page, clinic, words):
     first, *others = view["steps"]
     answer = {**view, "steps": [{**first, "instruction": words}, *others]}
     page.route("**/api/v1/calibration", lambda route: route.fulfill(json=answer))
-    clinic.app.state.parts[ClinicLive].notify("calibration")
+    clinic.app.state.parts[ClinicLive].notify(News(what="calibration"))
     expect(page.locator("main .lead")).to_contain_text(words)
     page.unroute_all()
 

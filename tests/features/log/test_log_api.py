@@ -14,6 +14,7 @@ from api.fake_clinic import Clinic
 from api.pairing import code_of
 
 from app.features.log import routes as log_routes
+from app.news import News
 from app.settings import Settings
 from app.store.files.disk_watch import DiskWatch
 from app.store.log import write_log
@@ -53,12 +54,12 @@ def test_a_changed_log_is_said_on_the_console_at_the_start(
 
 
 def test_a_disk_that_fills_is_told_to_open_pages(signed_in: Clinic, monkeypatch: pytest.MonkeyPatch) -> None:
-    told: list[str] = []
+    told: list[News] = []
     monkeypatch.setattr(signed_in.parts[DiskWatch], "_notify", told.append)
     usage = SimpleNamespace(free=10_000_000)
     monkeypatch.setattr("app.store.files.disk_watch.shutil.disk_usage", lambda _folder: usage)
     monkeypatch.setattr("app.store.files.disk_watch.WATCH_EVERY", 0.01)
-    signed_in.until("/equipment", lambda _e: told == ["disk"])
+    signed_in.until("/equipment", lambda _e: told == [News(what="disk")])
     words = signed_in.good("GET", "/equipment")["disk"]["message"]
     assert "disk of the recordings is full" in words
     assert "people can sign out" in words

@@ -14,6 +14,7 @@ from app.api.sign_in.sign_in_limits import SignInLimits
 from app.clock import utc_now
 from app.features.sharing.shared_page import WRONG
 from app.features.sharing.tables import ShareLink
+from app.news import News
 from app.store.patients import start_session
 
 SHARED = "/shared"
@@ -93,22 +94,23 @@ def test_a_course_shows_story_and_figures_by_code_and_every_opening_is_logged(co
 def test_an_opening_and_a_wrong_pin_are_told_to_open_pages_with_their_time(
     consented: Clinic, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    events: list[str] = []
-    monkeypatch.setattr(consented.parts[ClinicLive], "notify", events.append)
+    told: list[News] = []
+    monkeypatch.setattr(consented.parts[ClinicLive], "notify", told.append)
+    news = News(what="shares", patient=consented.patient["id"])
     link = made(consented)
     (row,) = link["shares"]
-    assert (row["openings"], row["last_opened"], events) == (0, None, ["shares"])
+    assert (row["openings"], row["last_opened"], told) == (0, None, [news])
     before = utc_now()
     with consented.as_person({}):
         assert opened(consented, link, wrong_pin(link)).status_code == 401
-        assert events == ["shares"] * 2
+        assert told == [news] * 2
         assert opened(consented, link).status_code == 204
-    assert events == ["shares"] * 3
+    assert told == [news] * 3
     (row,) = consented.good("GET", f"/patients/{consented.patient['id']}/shares")["shares"]
     assert (row["openings"], row["wrong_pins"]) == (1, 1)
     assert before <= datetime.fromisoformat(row["last_opened"]) <= utc_now()
     consented.good("DELETE", f"/shares/{row['id']}")
-    assert events == ["shares"] * 4
+    assert told == [news] * 4
 
 
 def test_a_link_that_was_cut_is_refused_as_a_wrong_one(consented: Clinic) -> None:

@@ -8,6 +8,7 @@ from types import SimpleNamespace
 import pytest
 
 from app.api.live import hub
+from app.news import News
 from app.store.files import disk_watch
 from app.store.files.ballast import Ballast
 from app.store.files.disk_watch import DiskWatch
@@ -33,8 +34,8 @@ class FullAt:
             raise asyncio.CancelledError
         await asyncio.to_thread(lambda: None)
 
-    def notify(self, event: str) -> None:
-        assert event == "disk"
+    def notify(self, news: News) -> None:
+        assert news == News(what="disk")
         self.told.append(self.time)
 
 

@@ -25,7 +25,10 @@ const TONES = { better: "good", worse: "bad" };
  */
 export function patientTests(app, patient, left) {
   const ask = () => app.api.get(`/interface-tests?patient=${patient}`);
-  const tests = newestAnswer(app, left, /** @type {InterfaceTestsView | null} */ (null), ask, ["test"]);
+  const tests = newestAnswer(app, left, /** @type {InterfaceTestsView | null} */ (null), ask, {
+    what: ["test"],
+    patient,
+  });
   app.toasts.attempt(async () => {
     const first = await ask();
     tests.value ??= first; // unless news came meanwhile

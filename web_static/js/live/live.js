@@ -12,21 +12,22 @@ const LATE_CHECK = 500; // ms between two checks when this page was busy
 const SAY_LOST_AFTER = 700; // ms: a shorter gap is not reported
 
 /**
- * @import { LiveMessage as Clinicians, PatientMessage as Patients, Quality } from "types/api"
- * @typedef {Partial<Quality> & {event?: string}} Extras  the condition of the channels, once a second; what changed on the server
+ * @import { LiveMessage as Clinicians, News as ServerNews, PatientMessage as Patients, Quality } from "types/api"
+ * @import { News } from "./news.js"
+ * @typedef {Partial<Quality> & {news?: ServerNews}} Extras  the condition of the channels, once a second; what changed on the server
  * @typedef {Clinicians & Extras} LiveMessage
  * @typedef {Patients & Extras} PatientMessage
  */
 
 /**
  * `open`: the socket is open. `tick`: a message came. `quality`: the condition of the channels came, once a second.
- * `changed`: something changed on the server; the detail names it. `connection`: the detail tells whether messages come.
+ * `changed`: something changed on the server; the detail says what. `connection`: the detail tells whether messages come.
  * @template Message
  * @typedef {object} LiveEvents
  * @property {Event} open
  * @property {CustomEvent<Message>} tick
  * @property {Event} quality
- * @property {CustomEvent<string>} changed
+ * @property {CustomEvent<News>} changed
  * @property {CustomEvent<boolean>} connection
  */
 
@@ -117,7 +118,7 @@ export class Live extends TypedEvents {
   #lost(code = 0) {
     this.#socket = null;
     if (!this.#wanted) return;
-    if (code === REFERENCE?.numbers.signed_out) this.dispatchEvent(new CustomEvent("changed", { detail: "sign-in" }));
+    if (code === REFERENCE?.numbers.signed_out) this.#say({ what: "sign-in" });
     if (!this.#lostTimer) this.#lostTimer = setTimeout(() => this.#setConnected(false), SAY_LOST_AFTER);
     this.#retryTimer = setTimeout(() => this.#wanted && this.#connect(), this.#pause);
     this.#pause = Math.min(2 * this.#pause, LONGEST_PAUSE);
@@ -141,8 +142,13 @@ export class Live extends TypedEvents {
       this.shirtWords = message.shirt_words ?? "";
       this.dispatchEvent(new Event("quality"));
     }
-    if (message.event === "graphics") this.#countPictures();
-    else if (message.event) this.dispatchEvent(new CustomEvent("changed", { detail: message.event }));
+    if (message.news?.what === "graphics") this.#countPictures();
+    else if (message.news) this.#say(message.news);
+  }
+
+  /** @param {News} news */
+  #say(news) {
+    this.dispatchEvent(new CustomEvent("changed", { detail: news }));
   }
 
   /** The server asks how many pictures a second this page draws, for the page "This computer". */
@@ -156,7 +162,7 @@ export class Live extends TypedEvents {
     this.connected = is;
     this.dispatchEvent(new CustomEvent("connection", { detail: is }));
     // Changes during the gap were missed: everything is read again.
-    if (is) this.dispatchEvent(new CustomEvent("changed", { detail: "everything" }));
+    if (is) this.#say({ what: "everything" });
   }
 
   #check() {

@@ -56,7 +56,7 @@ export function warningsPlace(app, patient, left) {
   place.className = "control-warnings-place";
   const mayChange = app.me?.role !== "reviewer";
   const ask = async () => (await app.api.get(`/patients/${patient}/quality`)).warnings;
-  const warnings = newestAnswer(app, left, /** @type {ControlWarning[]} */ ([]), ask, ["trial"]);
+  const warnings = newestAnswer(app, left, /** @type {ControlWarning[]} */ ([]), ask, { what: ["trial"], patient });
   const Warnings = () => h(ControlWarnings, { warnings: warnings.value, mayChange, isOpen: false });
   render(h(Warnings, {}), place);
   ask().then(

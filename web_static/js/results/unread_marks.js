@@ -7,8 +7,6 @@ import { newestAnswer } from "../live/newest_answer.js";
 import { h } from "../preact.js";
 import { t } from "../texts.js";
 
-const NEWS = ["record", "everything"]; // after which a comment may be new, or read
-
 /**
  * The comments on a patient's trials that this person has not read; without an answer none, so that lists can be shown.
  * @param {import("../main.js").App} app @param {number} patient id @param {AbortSignal} left
@@ -16,7 +14,7 @@ const NEWS = ["record", "everything"]; // after which a comment may be new, or r
 export async function unreadComments(app, patient, left) {
   const ask = () => app.api.get(`/comments?patient=${patient}`);
   const first = await ask().catch(() => /** @type {CommentView[]} */ ([]));
-  return newestAnswer(app, left, first, ask, NEWS);
+  return newestAnswer(app, left, first, ask, { what: ["comment"], patient });
 }
 
 /**

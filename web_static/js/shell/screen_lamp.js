@@ -1,4 +1,5 @@
 /** The lamp of the patient's screens in the header: there is one while a screen is paired. */
+import { concerns } from "../live/news.js";
 import { screenState } from "../pages/drive/screen_words.js";
 import { t } from "../texts.js";
 import { h, write } from "../widgets/dom.js";
@@ -23,7 +24,7 @@ export function screenLamp(app) {
   app.addEventListener("me", refresh);
   app.live.addEventListener("tick", ({ detail }) => (detail.session ?? null) !== session && refresh());
   app.live.addEventListener("changed", ({ detail }) => {
-    if (["screens", "everything"].includes(detail)) setTimeout(refresh, SETTLES);
+    if (concerns(detail, { what: ["screens"] })) setTimeout(refresh, SETTLES);
   });
   app.live.addEventListener("connection", refresh);
   return lamp;

@@ -4,6 +4,7 @@
  * @import { OfferView, ScreensView, ScreenView, ScreenSettings } from "types/api"
  * @typedef {Awaited<ReturnType<typeof screenStore>>} ScreenStore
  */
+import { concerns } from "../live/news.js";
 import { Fragment, h, signal, useOpening, useSignal } from "../preact.js";
 import { t } from "../texts.js";
 import { copyText } from "./clipboard.js";
@@ -15,7 +16,6 @@ import { useUntilGone } from "./made.js";
 import { pictureOf } from "./one_time_key.js";
 
 const WISHES = /** @type {const} */ (["arrow", "sounds", "large", "plan"]);
-const NEWS = ["screens", "session", "everything"];
 const LOOK_EVERY = 5000; // ms between two looks at the time that a code has left
 const MINUTE = 60_000; // ms
 
@@ -70,7 +70,11 @@ export async function screenStore(app, left) {
     app.toasts.attempt(async () => {
       code.value = await app.api.post("/patient-screen/pairing");
     });
-  app.live.addEventListener("changed", ({ detail }) => NEWS.includes(detail) && read(), { signal: left });
+  app.live.addEventListener(
+    "changed",
+    ({ detail }) => void (concerns(detail, { what: ["screens", "session"] }) && read()),
+    { signal: left },
+  );
   let session = app.session?.session?.id;
   const showSession = () => {
     if (app.session?.session?.id === session) return;

@@ -14,6 +14,7 @@ from playwright.sync_api import expect
 
 from app.api.live.live_picture import ClinicLive
 from app.faults import Fault, State
+from app.news import News
 
 DRIVE = {"id": 1, "t": 83.0, "waits": None}
 CHAIR = {
@@ -106,7 +107,7 @@ def screen_out_of_reach(page: Any, clinic: EyesClinic) -> None:
     trial_stopped(page, clinic)
     screen = {"id": 1, "number": 1, "paired": "2026-03-01T10:00:00+00:00", "connected": False, "picture": None}
     page.route("**/patient-screen", lambda route: route.fulfill(json={**route.fetch().json(), "screens": [screen]}))
-    clinic.app.state.parts[ClinicLive].notify("screens")
+    clinic.app.state.parts[ClinicLive].notify(News(what="screens"))
     expect(page.locator(".screen-lamp")).to_be_visible()
 
 

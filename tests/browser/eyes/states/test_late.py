@@ -1,5 +1,7 @@
 """What comes late, be it news of a change made elsewhere or a picture, moves nothing that a person is about to use."""
 
+from typing import get_args
+
 import pytest
 from browser.eyes.axe import look_as
 from browser.eyes.opening import leave
@@ -8,14 +10,12 @@ from browser.sizes import SIZES
 from playwright.sync_api import expect
 
 from app.api.live.live_picture import ClinicLive
+from app.news import News, What
 
 pytestmark = [pytest.mark.browser]
 
-# What the server says has changed; the pages read anew what they show of it.
-NEWS = (
-    *("calibration", "controls", "equipment", "record", "screens", "session", "test", "trial", "adaptation", "disk"),
-    "everything",
-)
+# All that may change on the server, of everybody; "graphics" asks the pages to count their pictures.
+NEWS = [News(what=what) for what in get_args(What) if what != "graphics"]
 DRAWN_WITHIN = 600  # ms; a page that is slower is looked at before it could go wrong
 OFTEN = ("patients", "calibrate", "calibrate, begin anew", "controls", "drive")  # what two tablets show at once
 MOST = 5  # controls of a page that are looked at, from its first to its last
@@ -50,8 +50,8 @@ def test_focus_and_what_is_open_stay(page, clinic, until, name):
         before, opened = page.evaluate(FOCUS, number), page.evaluate(COUNT_OPEN)
         if before is None:  # it is covered by a dialog, or has just gone
             continue
-        for what in NEWS:
-            clinic.app.state.parts[ClinicLive].notify(what)
+        for news in NEWS:
+            clinic.app.state.parts[ClinicLive].notify(news)
         page.wait_for_timeout(DRAWN_WITHIN)
         until(page, "document.activeElement !== document.body")  # a page may still be on its way
         now = page.evaluate(f"() => ({NAME})(document.activeElement)")

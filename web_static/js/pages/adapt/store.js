@@ -7,10 +7,9 @@
  * @typedef {Awaited<ReturnType<typeof adaptStore>>} AdaptStore
  */
 import { failureWords } from "../../api.js";
+import { concerns } from "../../live/news.js";
 import { signal } from "../../preact.js";
 import { t } from "../../texts.js";
-
-const CONCERNS = ["adaptation", "controls", "trial", "drive", "equipment", "everything"];
 
 /** The proposal that waits for a person; null when none does. @param {AdaptationView} view */
 export const waiting = ({ proposal }) => (proposal?.changes && proposal.applied === null ? proposal : null);
@@ -89,9 +88,14 @@ export async function adaptStore(app, patient, left) {
     },
     { signal: left },
   );
-  app.live.addEventListener("changed", ({ detail }) => void (CONCERNS.includes(detail) && readAgain()), {
-    signal: left,
-  });
+  app.live.addEventListener(
+    "changed",
+    ({ detail }) =>
+      void (
+        concerns(detail, { what: ["adaptation", "controls", "trial", "drive", "equipment"], patient }) && readAgain()
+      ),
+    { signal: left },
+  );
   const mayChange = app.me?.role !== "reviewer";
   return { view, maps, wanted, isBusy, problem, mayChange, choose, look, dismiss, apply, back };
 }

@@ -3,12 +3,12 @@
  * @import { AttentionView, PatientAttention } from "types/api"
  * @import { ComponentChildren } from "../../preact.js"
  */
+import { concerns } from "../../live/news.js";
 import { drawFoot, drawPage, Fragment, h, signal } from "../../preact.js";
 import { t } from "../../texts.js";
 import { Icon } from "../../widgets/icons.js";
 
 const ASK_AGAIN = 5000; // ms, while something is worked out
-const CHANGES = ["trial", "record", "session", "everything"];
 const URGENT = ["drive", "deterioration", "halted"];
 
 /** @param {import("../../main.js").App} app @param {HTMLElement} root @param {{signal: AbortSignal}} page */
@@ -51,7 +51,11 @@ export async function show(app, root, { signal: left }) {
       ),
     );
   };
-  app.live.addEventListener("changed", ({ detail }) => CHANGES.includes(detail) && read(), { signal: left });
+  app.live.addEventListener(
+    "changed",
+    ({ detail }) => concerns(detail, { what: ["trial", "comment", "record", "session"] }) && read(),
+    { signal: left },
+  );
   left.addEventListener("abort", () => clearTimeout(timer));
   drawPage(root, h(Page, {}), "body stack");
   drawFoot(

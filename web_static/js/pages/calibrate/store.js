@@ -10,13 +10,13 @@
  */
 import { beginNextTask } from "../drive/next_task.js";
 import { failureWords } from "../../api.js";
+import { concerns } from "../../live/news.js";
 import { computed, signal } from "../../preact.js";
 import { t } from "../../texts.js";
 import { runNow } from "../../widgets/cue_clock.js";
 
 const AUTO_PLACE = "bodydrive-calibrate-auto";
 const PAUSE = 1500; // ms between two steps that follow by themselves: time to breathe out
-const CONCERNS = ["calibration", "equipment", "everything"];
 
 /** What the page shows, of the server. @param {import("../../api.js").Api} api */
 export const readCalibration = (api) => Promise.all([api.get("/calibration"), api.get("/equipment")]);
@@ -166,9 +166,11 @@ export function calibrationStore(app, patient, first, left) {
     if (now || !isRecording.value) moment.value = now; // where the run pauses between two messages, the cue stays
     requestAnimationFrame(followRun);
   };
-  app.live.addEventListener("changed", ({ detail }) => void (CONCERNS.includes(detail) && readAgain()), {
-    signal: left,
-  });
+  app.live.addEventListener(
+    "changed",
+    ({ detail }) => void (concerns(detail, { what: ["calibration", "equipment"] }) && readAgain()),
+    { signal: left },
+  );
   left.addEventListener("abort", stopTimer);
   followRun();
   readFound();

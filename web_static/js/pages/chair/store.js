@@ -4,12 +4,15 @@
  * @import { ParametersSummary, Speeds } from "types/api"
  * @import { LiveMessage } from "../../live/live.js"
  */
+import { concerns } from "../../live/news.js";
 import { computed, signal } from "../../preact.js";
 import { t } from "../../texts.js";
 import { boundGestures } from "./gesture_levels.js";
 
 const NOT_A_BODY = new Set(["simulator", "replay"]); // kinds of shirts that nobody wears
 const LOOK_EVERY = 3000; // ms between two looks at what is missing when nothing was heard to change
+/** @type {import("../../live/news.js").Interest} what decides how a chair would drive */
+const DECIDING = { what: ["session", "calibration", "controls", "equipment", "trial", "drive"] };
 
 /**
  * @typedef {Awaited<ReturnType<typeof readArming>>} Reading what decides how a chair would drive
@@ -111,7 +114,7 @@ export function armingStore(app, first, onDrive, pageLeft) {
   };
   app.live.addEventListener("tick", follow, { signal: left });
   app.live.addEventListener("connection", ({ detail }) => void (isConnected.value = detail), { signal: left });
-  app.live.addEventListener("changed", look, { signal: left });
+  app.live.addEventListener("changed", ({ detail }) => concerns(detail, DECIDING) && look(), { signal: left });
   const timer = setInterval(look, LOOK_EVERY);
   left.addEventListener("abort", () => clearInterval(timer));
   const signals = { reading, chair, isArming, gestures, reasons };

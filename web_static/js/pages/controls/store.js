@@ -6,6 +6,7 @@
  * @typedef {Required<ControlSettings>} Settings
  */
 import { failureWords } from "../../api.js";
+import { concerns } from "../../live/news.js";
 import { computed, signal } from "../../preact.js";
 import { busyKind } from "../../shell/busy.js";
 import { OTHER_SESSION } from "../../shell/other_session.js";
@@ -13,7 +14,6 @@ import { t } from "../../texts.js";
 import { gestureFor, jointLabels, newGestureName } from "../../widgets/gestures.js";
 import { ask as askPerson } from "../../widgets/question.js";
 
-const CONCERNS = ["controls", "equipment", "everything"];
 const REST = 400; // ms without another change, then it is sent
 const LEAST_GAP = 0.02; // FS/s or FS
 
@@ -182,9 +182,11 @@ export function controlsStore(app, first, left) {
     if (now.hash !== hash || now.obstacle?.message !== obstacle?.message) take(now);
   };
   app.live.addEventListener("tick", ({ detail }) => (live.value = detail), { signal: left });
-  app.live.addEventListener("changed", ({ detail }) => CONCERNS.includes(detail) && readAgain().catch(() => null), {
-    signal: left,
-  });
+  app.live.addEventListener(
+    "changed",
+    ({ detail }) => concerns(detail, { what: ["controls", "equipment"] }) && readAgain().catch(() => null),
+    { signal: left },
+  );
   app.addEventListener("drafts", ({ detail }) => timer && detail.push(t("controls-draft")), { signal: left });
   left.addEventListener("abort", () => (left.reason === OTHER_SESSION ? drop() : flush()));
   const signals = { view, settings, live, busy, labels, state, problem, suggestion };

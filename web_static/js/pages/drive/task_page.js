@@ -66,11 +66,11 @@ async function taskStore(app, patient, [floorplan, path], left) {
     if (!again && !left.aborted) app.show();
     return again;
   };
-  const choice = newestAnswer(app, left, first, chooseAgain, ["trial", "everything"]);
-  const equipment = newestAnswer(app, left, equipmentNow, () => app.api.get("/equipment"), ["equipment", "everything"]);
+  const choice = newestAnswer(app, left, first, chooseAgain, { what: ["trial"], patient });
+  const equipment = newestAnswer(app, left, equipmentNow, () => app.api.get("/equipment"), { what: ["equipment"] });
   // Null for somebody who does not drive, and when the screens could not be read.
   const readScreens = async () => screensNow && app.api.get("/patient-screen");
-  const screens = newestAnswer(app, left, screensNow, readScreens, ["screens", "everything"]);
+  const screens = newestAnswer(app, left, screensNow, readScreens, { what: ["screens"] });
   const obstacle = signal(app.session?.obstacle ?? null); // what the start of a trial would be refused for
   const has3d = canDrawIn3d();
   app.addEventListener("session", () => void (obstacle.value = app.session?.obstacle ?? null), { signal: left });

@@ -38,7 +38,7 @@ export async function show(app, root, { signal: left }) {
   const [first, equipment] = await Promise.all([app.api.get(path), app.api.get("/equipment")]);
   if (left.aborted) return;
   const isVisitor = equipment.shirt?.kind === "simulator" && equipment.body?.kind === "visitor";
-  const tests = newestAnswer(app, left, first, () => app.api.get(path), ["test", "everything"]);
+  const tests = newestAnswer(app, left, first, () => app.api.get(path), { what: ["test"], patient: here.patient.id });
   const store = testStore(app, tests, left);
   drawPage(root, h(Page, { store, isVisitor }));
   drawFoot(root, h(Foot, { store }));

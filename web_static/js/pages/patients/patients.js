@@ -6,6 +6,7 @@
 import { ApiError } from "../../api.js";
 import { archiveImport } from "./archive_import.js";
 import { DeletionForm } from "./deletion_form.js";
+import { concerns } from "../../live/news.js";
 import { drawPage, Fragment, h, signal, useOpening, useSignal } from "../../preact.js";
 import { day, minuteOfDay } from "../../widgets/format.js";
 import { Icon } from "../../widgets/icons.js";
@@ -16,7 +17,6 @@ import { t } from "../../texts.js";
 
 const CONFLICT = 409;
 const SECOND_TAP = 1000; // ms: so late may a hasty second tap on a button come
-const NEWS = new Set(["session", "trial", "everything"]); // after which a row may differ
 
 /** @param {App} app @param {HTMLElement} root @param {{signal: AbortSignal}} page */
 export async function show(app, root, { signal: left }) {
@@ -129,9 +129,11 @@ export async function show(app, root, { signal: left }) {
     },
     { signal: left },
   );
-  app.live.addEventListener("changed", ({ detail }) => void (NEWS.has(detail) && read().catch(() => null)), {
-    signal: left,
-  });
+  app.live.addEventListener(
+    "changed",
+    ({ detail }) => void (concerns(detail, { what: ["session", "trial"] }) && read().catch(() => null)),
+    { signal: left },
+  );
   drawPage(
     root,
     h(

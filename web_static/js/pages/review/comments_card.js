@@ -21,7 +21,7 @@ const NEAR = 0.05; // s from the moment that the replay shows
  */
 export function commentStore(app, trial, first, left) {
   const ask = () => app.api.get(`/trials/${trial}/comments`);
-  const comments = newestAnswer(app, left, first, ask, ["record", "everything"]);
+  const comments = newestAnswer(app, left, first, ask, { what: ["comment"], trial });
   /** @type {Set<number>} the ids of those that were unread when this page first showed them */
   const fresh = new Set();
   comments.subscribe((now) => {

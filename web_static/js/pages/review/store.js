@@ -43,7 +43,7 @@ export function followTrials(app, patient, first, left, onChange) {
     const before = trials.value;
     return now.length === before.length && now.every((trial, i) => isUnchanged(trial, before[i])) ? null : now;
   };
-  const trials = newestAnswer(app, left, first, ask, ["trial", "everything"]);
+  const trials = newestAnswer(app, left, first, ask, { what: ["trial"], patient });
   trials.subscribe((now) => void (now !== first && !left.aborted && onChange()));
   return trials;
 }

@@ -5,6 +5,7 @@
  * @import { CommentStore } from "./comments_card.js"
  */
 import { failureWords } from "../../api.js";
+import { concerns } from "../../live/news.js";
 import { replayPlan } from "../../plan/replay_plan.js";
 import { h } from "../../preact.js";
 import { readTrial, showTrialOver } from "../../results/trial_over.js";
@@ -24,9 +25,11 @@ export async function show(app, root, { signal: left, rest: [patient, , id] }) {
   const { trial } = read;
   app.setSubject({ code: trial.patient_code, sessions: [trial.session_number] });
   if (trial.status === "running") {
-    app.live.addEventListener("changed", ({ detail }) => ["trial", "everything"].includes(detail) && app.show(), {
-      signal: left,
-    });
+    app.live.addEventListener(
+      "changed",
+      ({ detail }) => concerns(detail, { what: ["trial"], trial: trial.id }) && app.show(),
+      { signal: left },
+    );
     const title = t("review-running-title", { number: trial.number });
     return emptyPage(root, title, t("review-running-lead"), `#/review/${patient}`, t("review-back"));
   }

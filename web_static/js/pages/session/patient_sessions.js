@@ -27,7 +27,7 @@ export async function show(app, root, { signal: left, rest: [, patient, part] })
     unreadComments(app, id, left),
   ]);
   if (left.aborted) return;
-  const shares = links && newestAnswer(app, left, links, askShares, ["shares", "everything"]);
+  const shares = links && newestAnswer(app, left, links, askShares, { what: ["shares"], patient: id });
   drawWithLinks(root, h(Page, { app, left, sessions, first: consents, shares, unread }), {
     [`#/review/${id}`]: t("rail-review"),
   });

@@ -4,7 +4,6 @@ import { Fragment, h } from "../../preact.js";
 import { Story } from "../../results/story.js";
 import { t } from "../../texts.js";
 import { drawWithLinks } from "./frame.js";
-import { RECORD_NEWS } from "./store.js";
 
 /** @param {import("../../main.js").App} app @param {HTMLElement} root @param {{signal: AbortSignal, rest: string[]}} page */
 export async function show(app, root, { signal: left, rest: [, session] }) {
@@ -14,7 +13,7 @@ export async function show(app, root, { signal: left, rest: [, session] }) {
   if (left.aborted) return;
   const { number, code, patient_id: patient } = first;
   app.setSubject({ code, sessions: [number] });
-  const story = newestAnswer(app, left, first, ask, RECORD_NEWS);
+  const story = newestAnswer(app, left, first, ask, { what: ["record", "comment", "trial", "session"], session: id });
   const Card = () =>
     h(
       "section",

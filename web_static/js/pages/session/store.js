@@ -7,9 +7,6 @@ import { failureWords } from "../../api.js";
 import { newestAnswer } from "../../live/newest_answer.js";
 import { computed, createRef } from "../../preact.js";
 
-/** After this news, the record or the story of a session may differ. */
-export const RECORD_NEWS = ["record", "trial", "session", "everything"];
-
 /** Whether the person who is signed in may write records and consents. @param {import("../../main.js").App} app */
 export function mayWrite(app) {
   return app.me?.role === "owner" || app.me?.role === "clinician";
@@ -17,7 +14,9 @@ export function mayWrite(app) {
 
 /** @param {import("../../main.js").App} app @param {SessionRecordView} first @param {AbortSignal} left */
 export function recordStore(app, first, left) {
-  const record = newestAnswer(app, left, first, () => app.api.get(`/sessions/${first.id}`), RECORD_NEWS);
+  /** @type {import("../../live/news.js").Interest} */
+  const interest = { what: ["record", "trial", "session"], session: first.id };
+  const record = newestAnswer(app, left, first, () => app.api.get(`/sessions/${first.id}`), interest);
   /** Whether goal, notes and scales can be changed: the sign-off locks them. */
   const mayChange = computed(() => mayWrite(app) && !record.value.sign_off);
   const heading = /** @type {{current: HTMLElement | null}} */ (createRef());

@@ -3,6 +3,7 @@
  * @import { ChairsView, NewChair, PairedView } from "types/api"
  * @typedef {ChairsView["chairs"][number]} Chair
  */
+import { concerns } from "../../live/news.js";
 import { focusFirst, h, useLayoutEffect, useRef, useSignal } from "../../preact.js";
 import { t } from "../../texts.js";
 import { day, number } from "../../widgets/format.js";
@@ -25,7 +26,7 @@ export function ChairsCard({ app, first, isOwner, left }) {
     app.live.addEventListener(
       "changed",
       async ({ detail }) => {
-        if (detail !== "equipment" && detail !== "everything") return;
+        if (!concerns(detail, { what: ["equipment"] })) return;
         const answer = await app.api.get("/chairs").catch(() => null);
         if (answer) list.value = answer.chairs;
       },

@@ -5,6 +5,7 @@
  * @typedef {ReturnType<typeof shirtStore>} ShirtStore
  */
 import { failureWords } from "../../api.js";
+import { concerns } from "../../live/news.js";
 import { signal } from "../../preact.js";
 import { t } from "../../texts.js";
 import { replacedList } from "../../widgets/replaced_list.js";
@@ -56,7 +57,7 @@ export function shirtStore(app, first, kinds, left) {
   app.addEventListener("session", follow, { signal: left });
   app.live.addEventListener(
     "changed",
-    ({ detail }) => void (["equipment", "everything"].includes(detail) && read().catch(() => null)),
+    ({ detail }) => void (concerns(detail, { what: ["equipment"] }) && read().catch(() => null)),
     { signal: left },
   );
   app.addEventListener("equipment", ({ detail }) => take(detail), { signal: left });
