@@ -19,7 +19,7 @@ const canHaveFocus = (element) =>
  * The one control of the same kind and name, as it was drawn again; null when there is none, or more than one.
  * @param {Element} lost @returns {HTMLElement | SVGElement | null}
  */
-export function drawnAgain(lost) {
+function drawnAgain(lost) {
   const name = nameOf(lost);
   if (!name) return null;
   const same = [...document.querySelectorAll(lost.tagName)].filter((one) => nameOf(one) === name && canHaveFocus(one));

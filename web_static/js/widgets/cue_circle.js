@@ -1,10 +1,11 @@
 /**
  * The large cue: a ring that fills with the time of the cue, and a disc that grows and shrinks with the movement.
  * @import { Cue } from "types/documents"
+ * @import { ReadonlySignal } from "../preact.js"
+ * @import { RunMoment } from "./cue_clock.js"
  */
+import { h, useLayoutEffect } from "../preact.js";
 import { t } from "../texts.js";
-import { runNow } from "./cue_clock.js";
-import { h, s, set, write } from "./dom.js";
 import { number } from "./format.js";
 
 const RADIUS = 118;
@@ -17,7 +18,7 @@ const CALM_STEPS = 4; // of the ring, for people who prefer reduced motion
 const COUNTED = new Set(["ready", "rest", "free"]); // whole seconds; the others are too short to be counted
 
 /** What a cue asks for, in one word or two. @param {{kind: string, joint: string | null}} cue */
-export function cueWords(cue) {
+function cueWords(cue) {
   return t(`cue-${cueName(cue)}`);
 }
 
@@ -28,76 +29,69 @@ function cueName({ kind, joint }) {
 }
 
 /**
- * @param {import("../main.js").App} app @param {{cues: Cue[]}} step
- * @param {object} options
- * @param {boolean} options.isRunning @param {string} options.idleWords what stands below while nothing runs
- * @param {AbortSignal} options.signal @param {(cue: Cue) => void} options.onCue called with each new cue
+ * @param {object} circle
+ * @param {Cue[]} circle.cues of the step
+ * @param {ReadonlySignal<RunMoment | null>} circle.moment of the run; null before it begins, and while nothing runs
+ * @param {boolean} circle.isRunning @param {string} circle.idleWords what stands below while there is no cue
+ * @param {(words: string) => void} circle.announce called with the words of each new cue
  */
-export function cueCircle(app, step, { isRunning, idleWords, signal, onCue }) {
-  const disc = s("circle", { class: "disc", cx: 150, cy: 150, r: DISC_SMALL });
-  const ring = s("circle", {
-    class: "ring",
-    cx: 150,
-    cy: 150,
-    r: RADIUS,
-    "stroke-dasharray": ROUND,
-    "stroke-dashoffset": ROUND,
-    transform: "rotate(-90 150 150)",
-  });
-  const word = s("text", { class: "cue-word", x: 150, y: 158, "text-anchor": "middle" });
-  const seconds = s("text", { class: "cue-seconds", x: 150, y: 192, "text-anchor": "middle" });
-  const next = h("p", { class: "cue-next quiet" });
-  const picture = s(
-    "svg",
-    { viewBox: "0 0 300 300", class: "cue-picture", "aria-hidden": "true" },
-    s("circle", { class: "track", cx: 150, cy: 150, r: RADIUS }),
-    disc,
-    ring,
-    word,
-    seconds,
+export function CueCircle({ cues, moment, isRunning, idleWords, announce }) {
+  const { t: time, index } = moment.value ?? { t: 0, index: -1 };
+  /** @type {Cue | undefined} */
+  const cue = cues[index];
+  const word = cue ? cueWords(cue) : isRunning ? t("calibrate-wait") : "";
+  useLayoutEffect(() => {
+    if (cue) announce(word);
+  }, [index]);
+  const share = cue ? (time - cue.start) / (cue.end - cue.start) : 0;
+  const left = cue ? cue.end - time : 0;
+  return h(
+    "div",
+    { class: "cue", "data-kind": cue?.kind ?? "idle" },
+    h(
+      "svg",
+      { viewBox: "0 0 300 300", class: "cue-picture", "aria-hidden": "true" },
+      h("circle", { class: "track", cx: 150, cy: 150, r: RADIUS }),
+      h("circle", { class: "disc", cx: 150, cy: 150, r: cue ? discRadius(cue.kind, share) : DISC_SMALL }),
+      h("circle", {
+        class: "ring",
+        cx: 150,
+        cy: 150,
+        r: RADIUS,
+        "stroke-dasharray": ROUND,
+        "stroke-dashoffset": ROUND * (1 - ringShare(share)),
+        transform: "rotate(-90 150 150)",
+      }),
+      h(
+        "text",
+        {
+          class: "cue-word",
+          x: 150,
+          y: 158,
+          "text-anchor": "middle",
+          "data-long": word.length > LONG_WORD ? "" : undefined,
+        },
+        word,
+      ),
+      h(
+        "text",
+        { class: "cue-seconds", x: 150, y: 192, "text-anchor": "middle" },
+        cue && t("cue-seconds", { seconds: COUNTED.has(cue.kind) ? Math.ceil(left) : number(left, 1) }),
+      ),
+    ),
+    h("p", { class: "cue-next quiet" }, cue ? nextWords(cues[index + 1]) : idleWords),
   );
-  const element = h("div", { class: "cue" }, picture, next);
-  let shown = -1;
-
-  const idle = () => {
-    set(ring, { "stroke-dashoffset": ROUND });
-    set(disc, { r: DISC_SMALL });
-    write(word, isRunning ? t("calibrate-wait") : "");
-    write(seconds, "");
-    write(next, idleWords);
-    element.dataset.kind = "idle";
-  };
-  /** @param {{t: number, index: number}} now */
-  const show = (now) => {
-    const cue = step.cues[now.index];
-    if (!cue) return idle();
-    const share = (now.t - cue.start) / (cue.end - cue.start);
-    set(ring, { "stroke-dashoffset": ROUND * (1 - ringShare(share)) });
-    set(disc, { r: discRadius(cue.kind, share) });
-    const left = cue.end - now.t;
-    write(seconds, t("cue-seconds", { seconds: COUNTED.has(cue.kind) ? Math.ceil(left) : number(left, 1) }));
-    if (now.index === shown) return;
-    shown = now.index;
-    element.dataset.kind = cue.kind;
-    write(word, cueWords(cue));
-    set(word, { "data-long": cueWords(cue).length > LONG_WORD || null });
-    const after = step.cues[now.index + 1];
-    write(next, t(`cue-next-${after ? cueName(after) : "end"}`));
-    app.toasts.announce(cueWords(cue));
-    onCue(cue);
-  };
-  const turn = () => {
-    if (signal.aborted) return;
-    const now = isRunning ? runNow(app.live, step.cues) : null;
-    if (now) show(now);
-    requestAnimationFrame(turn);
-  };
-  idle();
-  turn();
-  return element;
 }
 
-/** How much of the ring is filled: it grows smoothly, or in a few steps where reduced motion is preferred. @param {number} share of the cue's time, 0..1 */
+/** What comes after a cue. @param {Cue | undefined} cue the next one; undefined: the step ends */
+function nextWords(cue) {
+  return t(`cue-next-${cue ? cueName(cue) : "end"}`);
+}
+
+/**
+ * How much of the ring is filled: it grows smoothly, or in a few steps where reduced motion is preferred.
+ * @param {number} share of the cue's time, 0..1
+ */
 export function ringShare(share) {
   return CALM.matches ? Math.floor(share * CALM_STEPS) / CALM_STEPS : share;
 }

@@ -1,11 +1,14 @@
-/** The run's own time between two messages, so that the circle moves smoothly and yet says what is recorded. */
+/**
+ * The run's own time between two messages, so that the circle moves smoothly and yet says what is recorded.
+ * @typedef {{t: number, index: number}} RunMoment s since the run began, and which of its cues that is
+ */
 
 const FURTHEST = 0.3; // s to go on without news; then the circle stands, because the run may stand too
 
 /**
  * Where a run is now.
  * @param {import("../live/live.js").Live} live @param {{start: number, end: number}[]} cues
- * @returns {{t: number, index: number} | null} null outside a run
+ * @returns {RunMoment | null} null outside a run
  */
 export function runNow(live, cues) {
   const run = live.latest?.run;

@@ -4,12 +4,12 @@
  * @typedef {typeof NUMBERS[number]} NumberName
  * @typedef {(gesture: FoundGesture) => string} Words
  */
+import { h, render } from "../preact.js";
 import { t } from "../texts.js";
-import { h, put } from "./dom.js";
 import { number, percent } from "./format.js";
 import { gestureWords } from "./gestures.js";
 import { repeatsWord, signalWord } from "./grade_words.js";
-import { scrollTable } from "./scroll_table.js";
+import { ScrollTable } from "./scroll_table.js";
 
 const NUMBERS = /** @type {const} */ (["signal_to_noise", "repeatability", "cross_talk", "effort"]);
 const LEAST_SAID = 0.1; // false activations a minute: a forecast is no finer than that
@@ -23,50 +23,35 @@ const WRITTEN = {
 };
 
 /**
- * A card that fills itself; it is hidden while nothing is calibrated.
- * @param {import("../api.js").Api} api @param {Record<string, string>} labels joint name -> label
- * @param {(() => void) | null} onTake what the tap on the suggestion does, null where it cannot be taken yet
- * @param {(found: Discovery) => void} [onFound] who else wants what was found
+ * @param {object} card
+ * @param {Discovery} card.found @param {Record<string, string>} card.labels joint name -> label
+ * @param {(() => void) | null} card.onTake what the tap on the suggestion does; null where it cannot be taken yet
  */
-export function discoveryCard(api, labels, onTake, onFound = () => {}) {
-  const card = h("section", { class: "card discovery", hidden: true });
-  const read = async () => {
-    try {
-      const found = await api.get("/calibration/gestures");
-      put(card, h("h2", {}, t("found-title")), content(found, labels, onTake));
-      onFound(found);
-      card.hidden = false;
-    } catch {
-      card.hidden = true; // the page that contains the card says what is missing
-    }
-  };
-  read();
-  return card;
-}
-
-/** @param {Discovery} found @param {Record<string, string>} labels @param {(() => void) | null} onTake */
-function content(found, labels, onTake) {
+export function DiscoveryCard({ found, labels, onTake }) {
   /** @type {Map<string, string>} what each gesture does in the suggestion */
   const controls = new Map();
   for (const { control, gestures } of found.suggestion.bindings)
     if (control !== "stop") gestures.forEach((name) => controls.set(name, control));
   /** @type {Words} */
   const words = (gesture) => gestureWords({ ...gesture, feature: "rate" }, labels);
-  return [
+  return h(
+    "section",
+    { class: "card discovery" },
+    h("h2", {}, t("found-title")),
     found.message && h("p", { class: "small reason" }, found.message),
     h(
       "div",
       { class: "suggested-block" },
       h("p", {}, found.suggestion.reason),
       onTake
-        ? h("button", { type: "button", class: "btn", onclick: onTake }, t("found-take"))
+        ? h("button", { type: "button", class: "btn", onClick: onTake }, t("found-take"))
         : h("p", { class: "quiet small" }, t("found-take-later")),
     ),
     h("p", { class: "quiet small" }, t("found-lead")),
     table(found.gestures, controls, words),
     numbers(found.gestures, words),
     Object.entries(found.not_found).map(([joint, reason]) =>
-      h("p", { class: "small reason" }, `${labels[joint] ?? joint.replaceAll("_", " ")}: ${reason}`),
+      h("p", { key: joint, class: "small reason" }, `${labels[joint] ?? joint.replaceAll("_", " ")}: ${reason}`),
     ),
     checks(
       found.gestures.flatMap(({ prediction, ...gesture }) =>
@@ -74,18 +59,32 @@ function content(found, labels, onTake) {
       ),
       words,
     ),
-  ];
+  );
+}
+
+/**
+ * The card in an element that fills itself, and stays empty while nothing is calibrated: the page says what is missing.
+ * @param {import("../api.js").Api} api @param {Record<string, string>} labels joint name -> label
+ * @param {() => void} onTake what the tap on the suggestion does
+ */
+export function discoveryCard(api, labels, onTake) {
+  const element = document.createElement("div");
+  api.get("/calibration/gestures").then(
+    (found) => render(h(DiscoveryCard, { found, labels, onTake }), element),
+    () => {},
+  );
+  return element;
 }
 
 /** @param {FoundGesture[]} gestures @param {Map<string, string>} controls @param {Words} words */
 function table(gestures, controls, words) {
   /** @param {string} name */
-  const head = (name) => h("th", { scope: "col", title: t(`found-means-${name}`) }, t(`found-${name}`));
+  const head = (name) => h("th", { key: name, scope: "col", title: t(`found-means-${name}`) }, t(`found-${name}`));
   /** @param {FoundGesture} gesture */
   const row = (gesture) =>
     h(
       "tr",
-      { class: controls.has(gesture.name) ? "chosen" : null },
+      { key: gesture.name, class: controls.has(gesture.name) ? "chosen" : undefined },
       h(
         "th",
         { scope: "row" },
@@ -97,9 +96,9 @@ function table(gestures, controls, words) {
       h("td", {}, falseWords(gesture.prediction)),
       h("td", {}, percent(gesture.prediction?.hit_rate)),
     );
-  return scrollTable(
-    t("found-title"),
-    "measures",
+  return h(
+    ScrollTable,
+    { label: t("found-title"), kind: "measures" },
     h(
       "thead",
       {},
@@ -125,19 +124,15 @@ function numbers(gestures, words) {
     h(
       "ul",
       { class: "small" },
-      gestures.map((one) => h("li", {}, line(one))),
+      gestures.map((gesture) => h("li", { key: gesture.name }, line(gesture))),
     ),
   );
 }
 
 /** @param {FoundGesture} gesture @param {NumberName} name */
 function numberCell(gesture, name) {
-  const isWeakest = gesture.weakest === name;
-  return h(
-    "td",
-    {},
-    isWeakest ? h("mark", { title: t("found-weakest") }, WRITTEN[name](gesture[name])) : WRITTEN[name](gesture[name]),
-  );
+  const written = WRITTEN[name](gesture[name]);
+  return h("td", { key: name }, gesture.weakest === name ? h("mark", { title: t("found-weakest") }, written) : written);
 }
 
 /** @param {number} score 0..1 */
@@ -145,7 +140,7 @@ function scoreBar(score) {
   const value = Math.round(100 * score);
   return [
     h("span", { class: "score-bar", "aria-hidden": "true" }, h("i", { style: `width:${value}%` })),
-    h("b", {}, `${value}`),
+    h("b", {}, value),
   ];
 }
 
@@ -166,7 +161,7 @@ function checks(gestures, words) {
     const { rest_check: rest, hit_check: hits, rest_seconds, counted_at_most, hit_at_least } = gesture.prediction;
     return h(
       "li",
-      {},
+      { key: gesture.name },
       h("b", {}, words(gesture)),
       ": ",
       rest &&

@@ -1,14 +1,14 @@
 /**
  * What the last trial would have been like: the same movements, read by the map that is proposed.
  * @import { Effect } from "types/api"
- * @import { Child } from "types/dom"
+ * @import { ComponentChildren } from "../../preact.js"
  */
+import { h } from "../../preact.js";
 import { t } from "../../texts.js";
-import { h } from "../../widgets/dom.js";
 import { percent } from "../../widgets/format.js";
 
-/** @param {Effect} effect of a proposal */
-export function effectCard(effect) {
+/** @param {{effect: Effect}} card effect: of a proposal */
+export function EffectCard({ effect }) {
   return h(
     "section",
     { class: "card" },
@@ -24,7 +24,7 @@ export function effectCard(effect) {
   );
 }
 
-/** @param {string} name @param {Child} words */
+/** @param {string} name @param {ComponentChildren} words */
 function figure(name, words) {
   return h(
     "div",
@@ -34,7 +34,7 @@ function figure(name, words) {
   );
 }
 
-/** @param {number} before @param {number} after @returns {Child} */
+/** @param {number} before @param {number} after */
 function change(before, after) {
-  return before === after ? h("b", {}, String(after)) : [`${before} → `, h("b", {}, String(after))];
+  return [before !== after && `${before} → `, h("b", {}, after)];
 }

@@ -2,15 +2,15 @@
  * What would change of each joint: before and after, side by side, and the reason in a sentence.
  * @import { JointView, ProposalView } from "types/api"
  */
+import { h } from "../../preact.js";
 import { t } from "../../texts.js";
-import { h } from "../../widgets/dom.js";
 import { number, ofFull, percent } from "../../widgets/format.js";
 import { jointLabel, jointWithin } from "../../widgets/joint_words.js";
 
 const TONES = { applied: "", refused: "bad", unchanged: "plain" };
 
-/** @param {ProposalView} proposal of GET /adaptation */
-export function jointCards({ joints, applied }) {
+/** @param {{proposal: ProposalView}} cards */
+export function JointCards({ proposal: { joints, applied } }) {
   const still = joints.filter(({ status }) => status === "unchanged");
   const others = joints.filter((joint) => !still.includes(joint));
   return h(
@@ -19,14 +19,14 @@ export function jointCards({ joints, applied }) {
     h(
       "div",
       { class: "joint-cards" },
-      others.map((joint) => jointCard(joint, applied !== null)),
+      others.map((joint) => h(JointCard, { key: joint.name, joint, isApplied: applied !== null })),
     ),
     still.length > 0 && h("p", { class: "quiet" }, t("adapt-others", { joints: still.map(jointWithin).join(", ") })),
   );
 }
 
-/** @param {JointView} joint @param {boolean} isApplied */
-function jointCard(joint, isApplied) {
+/** @param {{joint: JointView, isApplied: boolean}} card */
+function JointCard({ joint, isApplied }) {
   const status = isApplied && joint.status === "applied" ? "changed" : joint.status;
   const { evr_before: fit, evr_after: fitThen, cross_talk_before: talk, cross_talk_after: talkThen } = joint;
   return h(
@@ -47,7 +47,10 @@ function jointCard(joint, isApplied) {
   );
 }
 
-/** A figure before and after; equal values are written once. @param {string} name @param {string[]} values before and after @param {boolean} better */
+/**
+ * A figure before and after; equal values are written once.
+ * @param {string} name @param {string[]} values before and after @param {boolean} better
+ */
 function figure(name, values, better) {
   const [before, after] = values.length > 1 && values[0] !== values[1] ? values : [null, values[values.length - 1]];
   return h(
@@ -58,7 +61,7 @@ function figure(name, values, better) {
       "dd",
       { class: "number" },
       before !== null && [before, " → "],
-      h("b", { class: better ? "change good" : null }, after),
+      h("b", { class: better ? "change good" : undefined }, after),
     ),
   );
 }

@@ -2,44 +2,37 @@
  * The versions of a patient's map, with what each of them changed.
  * @import { JointDifference, MapVersion } from "types/documents"
  */
+import { h } from "../../preact.js";
 import { t } from "../../texts.js";
-import { h } from "../../widgets/dom.js";
 import { moment, number, ofFull, percent } from "../../widgets/format.js";
 import { jointLabel } from "../../widgets/joint_words.js";
-import { scrollTable } from "../../widgets/scroll_table.js";
+import { ScrollTable, TableHead } from "../../widgets/scroll_table.js";
 
-/** @param {MapVersion[]} maps of GET /patients/ID/maps @param {Record<string, string>} labels of the joints */
-export function mapVersions(maps, labels) {
-  const head = ["version", "when", "origin", "difference", "trials"];
+const COLUMNS = ["version", "when", "origin", "difference", "trials"];
+
+/** @param {{maps: MapVersion[], labels: Record<string, string>}} card labels: of the joints */
+export function MapVersions({ maps, labels }) {
   return h(
     "section",
     { class: "card" },
     h("h2", {}, t("adapt-versions")),
     h("p", { class: "quiet small" }, t("adapt-versions-lead")),
-    scrollTable(
-      t("adapt-versions"),
-      "measures in-view map-versions",
-      h(
-        "thead",
-        {},
-        h(
-          "tr",
-          {},
-          head.map((name) => h("th", { scope: "col" }, t(`adapt-${name}`))),
-        ),
-      ),
+    h(
+      ScrollTable,
+      { label: t("adapt-versions"), kind: "measures in-view map-versions" },
+      h(TableHead, { columns: COLUMNS.map((name) => t(`adapt-${name}`)) }),
       h(
         "tbody",
         {},
         maps.map((one) =>
           h(
             "tr",
-            {},
-            h("th", { scope: "row" }, String(one.version)),
+            { key: one.version },
+            h("th", { scope: "row" }, one.version),
             h("td", {}, moment(one.created)),
             h("td", {}, origin(one)),
             h("td", { class: "words" }, changes(one, labels)),
-            h("td", {}, String(one.trials.length)),
+            h("td", {}, one.trials.length),
           ),
         ),
       ),
@@ -64,7 +57,7 @@ function changes({ difference }, labels) {
   const felt = difference?.felt_change;
   if (joints.length && typeof felt === "number" && Number.isFinite(felt))
     joints.push(t("adapt-difference-felt", { percent: percent(felt) }));
-  return joints.map((words) => h("div", {}, words));
+  return joints.map((words) => h("div", { key: words }, words));
 }
 
 /** @param {JointDifference} joint */

@@ -1,165 +1,122 @@
 /**
- * One step of the calibration: what to do, the cue, the signals as they come, and what can be done next.
- * @import { App } from "../../main.js"
- * @import { EquipmentView, ShirtLayout } from "types/api"
- * @import { Calibration, CalibrationStep } from "types/documents"
- * @import { Child } from "types/dom"
+ * One step of the calibration: what to do, the cue, and the signals as they come.
+ * @import { ShirtLayout } from "types/api"
+ * @import { CalibrationStep } from "types/documents"
+ * @import { CalibrationStore } from "./store.js"
  */
-import { t } from "../../texts.js";
-import { cueCircle } from "../../widgets/cue_circle.js";
-import { h, write } from "../../widgets/dom.js";
-import { day } from "../../widgets/format.js";
-import { toggle } from "../../widgets/fields.js";
 import { drawTraces, middle, QUIET_SPAN } from "../../charts/joint_strips.js";
-import { pads } from "../../widgets/pads.js";
 import { TraceCanvas } from "../../charts/traces.js";
+import { Fragment, h } from "../../preact.js";
+import { t } from "../../texts.js";
+import { CueCircle } from "../../widgets/cue_circle.js";
+import { day } from "../../widgets/format.js";
+import { Made } from "../../widgets/made.js";
+import { pads } from "../../widgets/pads.js";
 
 /** Who moves, by the kind of the body in the simulated shirt. @type {Record<string, string>} */
 const READY = { person: "self", recorded: "self", visitor: "visitor" };
 
-/**
- * @typedef {{go: (id: string) => void, start: (id: string) => void, cancel: (id: string) => void, skip: (id: string) => void,
- *   chooseMap: (joint: string, map: "pca" | "guided" | "prior") => void, saySitting: (joint: string, isRight: boolean) => void, driveNow: () => void, fitEarlier: () => void,
- *   setAuto: (on: boolean) => void, isAuto: boolean, readonly isGoingOn: boolean}} Actions
- */
-
-/**
- * @param {App} app @param {Calibration} calibration @param {EquipmentView} equipment
- * @param {Actions} actions @param {AbortSignal} signal
- * @returns {{title: string, lead: Child, body: Child, foot: Child[]}}
- */
-export function calibrateStep(app, calibration, equipment, actions, signal) {
-  const { steps, current, running } = calibration;
-  const at = steps.findIndex(({ id }) => id === current);
-  const step = steps[at];
-  const isRunning = running?.step === current;
-  const repetitions = Math.max(0, ...step.cues.map(({ repetition }) => repetition));
-  const lead = h("p", { class: "lead" });
-  /** @param {number} repetition 0 while nothing is repeated */
-  const showLead = (repetition) =>
-    write(
-      lead,
-      [
-        t("calibrate-step", { step: at + 1, steps: steps.length }),
-        repetition ? t("calibrate-repetition", { repetition, all: repetitions }) : "",
-        step.instruction,
-      ]
-        .filter(Boolean)
-        .join(" · "),
-    );
-  showLead(0);
-  const circle = cueCircle(app, step, {
-    isRunning,
-    idleWords: idleWords(step, equipment, actions),
-    signal,
-    onCue: (cue) => showLead(cue.repetition),
-  });
-  const isVisitor = equipment.body?.kind === "visitor" && equipment.shirt?.kind === "simulator";
-  const body = h(
-    "div",
-    { class: "step-body" },
-    !running && readyCard(calibration, actions),
-    circle,
-    step.message && !isRunning && h("p", { class: "problem" }, step.message),
-    stepTrace(app, equipment.layout, step, signal),
-    isVisitor && pads(app, signal).element,
+/** @param {{store: CalibrationStore}} step */
+export function Step({ store }) {
+  const { app, left, calibration, equipment, step, moment, isRecording } = store;
+  const { title, cues, joint, message } = step.value;
+  const { shirt, body, layout } = equipment.value;
+  const isVisitor = body?.kind === "visitor" && shirt?.kind === "simulator";
+  return h(
+    Fragment,
+    {},
+    h("h1", { tabindex: -1 }, title),
+    h(Lead, { store }),
+    h(
+      "div",
+      { class: "step-body" },
+      !calibration.value.running && h(Ready, { store }),
+      h(CueCircle, {
+        cues,
+        moment,
+        isRunning: isRecording.value,
+        idleWords: idleWords(store),
+        announce: (words) => app.toasts.announce(words),
+      }),
+      message && !isRecording.value && h("p", { class: "problem" }, message),
+      layout &&
+        h(Made, { key: traceKey(layout, joint), left, make: (gone) => trace(app.live, layout, joint, gone).element }),
+      isVisitor && h(Made, { key: "pads", left, make: (gone) => pads(app, gone).element }),
+    ),
   );
-  const isReady = calibration.may_drive_now || calibration.may_fit_earlier;
-  return { title: step.title, lead, body, foot: foot(steps, at, isRunning, Boolean(running), isReady, actions) };
+}
+
+/** @param {{store: CalibrationStore}} lead */
+function Lead({ store: { calibration, step, repetition } }) {
+  const { steps } = calibration.value;
+  const { cues, instruction } = step.value;
+  const all = Math.max(0, ...cues.map((cue) => cue.repetition));
+  const parts = [
+    t("calibrate-step", { step: steps.indexOf(step.value) + 1, steps: steps.length }),
+    repetition.value ? t("calibrate-repetition", { repetition: repetition.value, all }) : "",
+    instruction,
+  ];
+  return h("p", { class: "lead" }, parts.filter(Boolean).join(" · "));
 }
 
 /**
  * What makes driving possible before the prompted movements: this person's earlier calibration, or else other people.
- * @param {Calibration} calibration @param {Actions} actions
+ * @param {{store: CalibrationStore}} card
  */
-function readyCard({ earlier, may_fit_earlier: mayFitEarlier, others, may_drive_now: mayDriveNow }, actions) {
+function Ready({ store: { calibration, fitEarlier, driveNow } }) {
+  const { earlier, may_fit_earlier: mayFitEarlier, others, may_drive_now: mayDriveNow } = calibration.value;
   const of = earlier && { version: earlier.version, day: day(earlier.created) };
-  if (mayFitEarlier) return card(t("calibrate-earlier-lead", of ?? {}), t("calibrate-earlier-go"), actions.fitEarlier);
-  if (mayDriveNow) return card(t("calibrate-now-lead", { count: others }), t("calibrate-now-go"), actions.driveNow);
+  if (mayFitEarlier) return readyCard(t("calibrate-earlier-lead", of ?? {}), t("calibrate-earlier-go"), fitEarlier);
+  if (mayDriveNow) return readyCard(t("calibrate-now-lead", { count: others }), t("calibrate-now-go"), driveNow);
   return of && h("p", { class: "card small" }, t("calibrate-earlier", of));
 }
 
-/** @param {string} lead @param {string} go @param {() => void} run */
-function card(lead, go, run) {
+/** @param {string} lead @param {string} go @param {() => void} onClick */
+function readyCard(lead, go, onClick) {
   return h(
     "section",
     { class: "card drive-now" },
     h("div", {}, h("h2", {}, t("calibrate-now")), h("p", { class: "small" }, lead)),
-    h("button", { type: "button", class: "btn go", onclick: run }, go),
+    h("button", { type: "button", class: "btn go", onClick }, go),
   );
 }
 
-/** @param {CalibrationStep} step @param {EquipmentView} equipment @param {Actions} actions */
-function idleWords(step, equipment, { isGoingOn }) {
-  if (isGoingOn) return t("calibrate-going-on");
-  if (step.status === "done") return t(step.message ? "calibrate-poor" : "calibrate-done");
-  const who = READY[String(equipment.body?.kind)] ?? "patient";
-  return t(`calibrate-ready-${who}`, { button: t(startWords(step)) });
+/** @param {CalibrationStore} store */
+function idleWords({ step, equipment, isGoingOn }) {
+  const { status, message } = step.value;
+  if (isGoingOn.value) return t("calibrate-going-on");
+  if (status === "done") return t(message ? "calibrate-poor" : "calibrate-done");
+  const who = READY[String(equipment.value.body?.kind)] ?? "patient";
+  return t(`calibrate-ready-${who}`, { button: t(startWords(step.value)) });
 }
 
-/** The key of the words on the button that records it. @param {CalibrationStep} step */
-function startWords({ status }) {
+/** The key of the words on the button that records a step. @param {CalibrationStep} step */
+export function startWords({ status }) {
   return status === "failed" ? "calibrate-again" : "calibrate-start";
 }
 
-/**
- * @param {CalibrationStep[]} steps @param {number} at @param {boolean} isRunning this step is being recorded
- * @param {boolean} isBusy any step is @param {boolean} isReady then the button that drives is the main one
- * @param {Actions} actions @returns {Child[]}
- */
-function foot(steps, at, isRunning, isBusy, isReady, actions) {
-  const step = steps[at];
-  /** @param {string} words @param {() => void} run */
-  const button = (words, run, tone = "", isOff = false) =>
-    h("button", { type: "button", class: `btn ${tone}`, disabled: isOff, onclick: run }, words);
-  if (isRunning)
-    return [button(t("calibrate-cancel"), () => actions.cancel(step.id)), h("span", { class: "grow" }), auto(actions)];
-  const isDone = step.status === "done";
-  const isPoor = isDone && step.message !== ""; // then repeating is the main thing to do
-  const tone = isReady || isPoor ? "" : "go";
-  return [
-    at > 0 && button(t("back"), () => actions.go(steps[at - 1].id), "", isBusy),
-    isDone && button(t("calibrate-again"), () => actions.start(step.id), isPoor ? "go" : "", isBusy),
-    h("span", { class: "grow" }),
-    auto(actions),
-    !isDone && step.kind === "prompt" && button(t("calibrate-skip"), () => actions.skip(step.id), "", isBusy),
-    isDone
-      ? button(t("calibrate-next"), () => actions.go(steps[at + 1].id), tone, isBusy)
-      : button(t(startWords(step)), () => actions.start(step.id), tone, isBusy),
-  ];
-}
-
-/** @param {Actions} actions */
-function auto(actions) {
-  return toggle(t("calibrate-auto"), actions.isAuto, actions.setAuto);
+/** What a trace is drawn by: with others, it begins anew. @param {ShirtLayout} layout @param {string | null} joint */
+function traceKey({ channels }, joint) {
+  return ["trace", joint, ...channels.map((channel) => channel.joint)].join();
 }
 
 /**
  * The joint's own channels while it is prompted; otherwise one line per joint.
- * @param {App} app @param {ShirtLayout | null} layout @param {CalibrationStep} step @param {AbortSignal} signal
+ * @param {import("../../live/live.js").Live} live @param {ShirtLayout} layout @param {string | null} joint
+ * @param {AbortSignal} gone
  */
-function stepTrace(app, layout, step, signal) {
-  if (!layout) return null;
+function trace(live, { channels, joints }, joint, gone) {
   const canvas = new TraceCanvas({ label: t("cue-trace"), height: 84 });
-  /** @param {string} joint */
-  const indices = (joint) => layout.channels.flatMap((channel, index) => (channel.joint === joint ? [index] : []));
-  const groups = layout.joints.map(({ name }) => indices(name));
-  app.live.addEventListener("quality", () => (canvas.floor = QUIET_SPAN * middle(app.live.noise)), { signal });
-  /** @param {(number | null)[]} values @param {number[]} group indices */
-  const mean = (values, group) => group.reduce((sum, index) => sum + (values[index] ?? 0), 0) / group.length;
-  const own = step.joint ? indices(step.joint) : null;
-  drawTraces(
-    app.live,
-    [
-      {
-        canvas,
-        values: ({ values }) => {
-          const frame = values ?? [];
-          return own ? own.map((index) => frame[index]) : groups.map((group) => mean(frame, group));
-        },
-      },
-    ],
-    signal,
-  );
-  return canvas.element;
+  /** @param {string} name of a joint */
+  const indices = (name) => channels.flatMap((channel, index) => (channel.joint === name ? [index] : []));
+  const own = joint ? indices(joint) : null;
+  const groups = joints.map(({ name }) => indices(name));
+  /** @param {(number | null)[]} frame @param {number[]} group indices */
+  const mean = (frame, group) => group.reduce((sum, index) => sum + (frame[index] ?? 0), 0) / group.length;
+  live.addEventListener("quality", () => (canvas.floor = QUIET_SPAN * middle(live.noise)), { signal: gone });
+  /** @param {{values?: (number | null)[] | null}} now */
+  const values = ({ values: frame }) =>
+    own ? own.map((index) => frame?.[index] ?? null) : groups.map((group) => mean(frame ?? [], group));
+  drawTraces(live, [{ canvas, values }], gone);
+  return canvas;
 }

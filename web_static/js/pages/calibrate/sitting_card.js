@@ -1,10 +1,10 @@
 /**
- * How a ring of sensors sits otherwise than on other people: a sentence, a picture of how to put it right, and a choice.
+ * How a ring of sensors sits otherwise than on other people: a sentence, a picture of how to put it right, a choice.
+ * @import { ComponentChildren } from "../../preact.js"
  * @import { Arrangement, JointResult } from "types/documents"
- * @typedef {(joint: string, isRight: boolean) => void} OnSitting
  */
+import { Fragment, h } from "../../preact.js";
 import { t } from "../../texts.js";
-import { h, s } from "../../widgets/dom.js";
 import { jointWithin } from "../../widgets/joint_words.js";
 
 const SIZE = 220; // px, width of the picture, in whose middle the ring is
@@ -16,30 +16,34 @@ const TURN = 22; // px, radius of the arrow inside
 const HEAD = 5; // px, half the width of an arrow's head
 const MIRROR = 42; // px, half the length of the line about which the ring is mirrored
 
-/** @param {JointResult} joint @param {OnSitting} onSitting */
-export function sittingCard({ name, label, prior }, onSitting) {
-  const joint = jointWithin({ name, label });
-  const { arrangement = {}, as_worn = {} } = prior ?? {};
-  const turned = Object.values(arrangement).map((sits) => turnedCard(joint, sits));
+/** @param {{joint: JointResult, onSay: (isRight: boolean) => void}} card onSay: whether it sits right all the same */
+export function Sitting({ joint, onSay }) {
+  const within = jointWithin(joint);
+  const { arrangement = {}, as_worn: asWorn = {} } = joint.prior ?? {};
+  const turned = Object.entries(arrangement);
   if (turned.length)
-    return [
-      turned,
-      choice(t("result-sits-right"), t("result-sits-right-label", { joint }), () => onSitting(name, true)),
-    ];
-  if (!Object.keys(as_worn).length) return [];
-  return [
-    h("p", { class: "small" }, t("result-sits-left", { joint })),
-    choice(t("result-sits-follow"), t("result-sits-follow-label", { joint }), () => onSitting(name, false)),
-  ];
+    return h(
+      Fragment,
+      {},
+      turned.map(([ring, sits]) => h(TurnedCard, { key: ring, joint: within, sits })),
+      choice(t("result-sits-right"), t("result-sits-right-label", { joint: within }), () => onSay(true)),
+    );
+  if (!Object.keys(asWorn).length) return null;
+  return h(
+    Fragment,
+    {},
+    h("p", { class: "small" }, t("result-sits-left", { joint: within })),
+    choice(t("result-sits-follow"), t("result-sits-follow-label", { joint: within }), () => onSay(false)),
+  );
 }
 
-/** @param {string} words @param {string} label what it does, with its joint @param {() => void} onclick */
-function choice(words, label, onclick) {
-  return h("button", { type: "button", class: "btn small", "aria-label": label, onclick }, words);
+/** @param {string} words @param {string} label what it does, with its joint @param {() => void} onClick */
+function choice(words, label, onClick) {
+  return h("button", { type: "button", class: "btn small", "aria-label": label, onClick }, words);
 }
 
-/** @param {string} joint @param {Arrangement} sits */
-function turnedCard(joint, sits) {
+/** @param {{joint: string, sits: Arrangement}} card joint: within a sentence */
+function TurnedCard({ joint, sits }) {
   const { shift, mirrored, sensors } = sits;
   const words = mirrored
     ? t("result-sits-mirrored", { joint })
@@ -66,7 +70,11 @@ function points({ sensors, front }) {
   };
 }
 
-/** The limb with its sensors, and its sides where they are known. @param {string} label @param {Arrangement} sits @param {number[]} large their places @param {number} first which one has the colour of the arrow @param {Element[]} arrows */
+/**
+ * The limb with its sensors, and its sides where they are known.
+ * @param {string} label @param {Arrangement} sits @param {number[]} large places of large sensors
+ * @param {number} first which one has the colour of the arrow @param {ComponentChildren} arrows
+ */
 function ring(label, sits, large, first, arrows) {
   const at = points(sits);
   const { sensors, front, outside } = sits;
@@ -75,9 +83,9 @@ function ring(label, sits, large, first, arrows) {
     const [x, y] = at(place, WORDS);
     const beside = x - SIZE / 2;
     const anchor = Math.abs(beside) < BESIDE ? "middle" : beside < 0 ? "end" : "start";
-    return s("text", { x, y, class: "side", "text-anchor": anchor }, t(`result-sits-side-${side}`));
+    return h("text", { x, y, class: "side", "text-anchor": anchor }, t(`result-sits-side-${side}`));
   };
-  return s(
+  return h(
     "svg",
     {
       class: "ring",
@@ -87,10 +95,11 @@ function ring(label, sits, large, first, arrows) {
       role: "img",
       "aria-label": label,
     },
-    s("circle", { cx: SIZE / 2, cy: SIZE / 2, r: ROUND, class: "limb" }),
+    h("circle", { cx: SIZE / 2, cy: SIZE / 2, r: ROUND, class: "limb" }),
     Array.from({ length: sensors }, (_, place) => {
       const [cx, cy] = at(place, ROUND);
-      return s("circle", {
+      return h("circle", {
+        key: place,
         cx,
         cy,
         r: large.includes(place) ? 6 : 4,
@@ -103,7 +112,10 @@ function ring(label, sits, large, first, arrows) {
   );
 }
 
-/** The way to turn the shirt back. @param {string} joint @param {Arrangement} sits the sensor at place p belongs at p + `shift` */
+/**
+ * The way to turn the shirt back.
+ * @param {string} joint @param {Arrangement} sits the sensor at place p belongs at p + `shift`
+ */
 function shiftedPicture(joint, sits) {
   const { shift, sensors } = sits;
   const at = points(sits);
@@ -114,11 +126,11 @@ function shiftedPicture(joint, sits) {
   const [x1, y1] = at(to, TURN);
   const [tipX, tipY] = at(to + (isForwards ? -0.35 : 0.35), TURN - 7);
   const label = t("result-sits-picture", { joint, count, sensors });
-  const arrow = s("path", {
+  const arrow = h("path", {
     d: `M ${x0} ${y0} A ${TURN} ${TURN} 0 0 ${isForwards ? 1 : 0} ${x1} ${y1} L ${tipX} ${tipY}`,
     class: "turn",
   });
-  return ring(label, sits, [0, count], from, [arrow]);
+  return ring(label, sits, [0, count], from, arrow);
 }
 
 /**
@@ -134,12 +146,15 @@ function mirroredPicture(joint, sits) {
   const [[x0, y0], [x1, y1]] = [at(from, TURN), at(to, TURN)];
   const [[ax, ay], [bx, by]] = [at(shift / 2, MIRROR), at((shift + sensors) / 2, MIRROR)];
   return ring(t("result-sits-picture-mirrored", { joint }), sits, [from % sensors, to], from % sensors, [
-    s("path", { d: `M ${ax} ${ay} L ${bx} ${by}`, class: "mirror" }),
-    s("path", { d: `M ${x0} ${y0} L ${x1} ${y1} ${head(x0, y0, x1, y1)} ${head(x1, y1, x0, y0)}`, class: "turn" }),
+    h("path", { d: `M ${ax} ${ay} L ${bx} ${by}`, class: "mirror" }),
+    h("path", { d: `M ${x0} ${y0} L ${x1} ${y1} ${head(x0, y0, x1, y1)} ${head(x1, y1, x0, y0)}`, class: "turn" }),
   ]);
 }
 
-/** The head of an arrow from (x0, y0) at (x1, y1), as a part of a path. @param {number} x0 @param {number} y0 @param {number} x1 @param {number} y1 */
+/**
+ * The head of an arrow from (x0, y0) at (x1, y1), as a part of a path.
+ * @param {number} x0 @param {number} y0 @param {number} x1 @param {number} y1
+ */
 function head(x0, y0, x1, y1) {
   const length = Math.hypot(x1 - x0, y1 - y0);
   const [dx, dy] = [(HEAD * (x1 - x0)) / length, (HEAD * (y1 - y0)) / length];

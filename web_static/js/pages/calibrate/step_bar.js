@@ -1,48 +1,58 @@
-/** The steps of the calibration as a row with their names: which are done, which is shown, which has to be repeated. */
+/**
+ * The steps of the calibration as a row with their names: which are done, which is shown, which has to be repeated.
+ * @import { CalibrationStep } from "types/documents"
+ * @import { IconName } from "../../widgets/icons.js"
+ */
+import { h } from "../../preact.js";
 import { t } from "../../texts.js";
-import { h } from "../../widgets/dom.js";
-import { icon } from "../../widgets/icons.js";
+import { Icon } from "../../widgets/icons.js";
 import { jointLabel } from "../../widgets/joint_words.js";
 
-/**
- * @param {import("types/documents").CalibrationStep[]} steps @param {string} current @param {(id: string) => void} onGo @param {() => void} onRestart
- */
-export function stepBar(steps, current, onGo, onRestart) {
-  const list = h(
-    "ol",
-    { class: "steps", "aria-label": t("calibrate-steps") },
-    steps.map((step, index) => {
-      const status = step.status === "done" && step.kind !== "result" && step.message ? "failed" : step.status; // it can be used, but has to be repeated
-      const name = step.joint ? jointLabel({ name: step.joint, label: step.label }) : step.label;
-      const label = `${name}: ${t(`calibrate-step-${status}`)}`;
-      /** @type {Record<string, Node | string>} */
-      const marks = { done: icon("tick", 16), failed: icon("undo", 16), skipped: "–" };
-      const mark = marks[status] ?? String(index + 1);
-      return h(
-        "li",
-        {},
-        h(
-          "button",
-          {
-            type: "button",
-            class: status,
-            "aria-label": typeof mark === "string" ? `${mark} ${label}` : label, // what is written is a part of the name
-            title: step.title,
-            "aria-current": step.id === current ? "step" : null,
-            onclick: () => onGo(step.id),
-          },
-          h("span", {}, mark),
-          " ", // between number and name, also for what reads them out
-          h("small", {}, name),
-        ),
-      );
-    }),
-  );
+/** The icons that stand in place of a number, by the status of a step. @type {Record<string, IconName | undefined>} */
+const ICONS = { done: "tick", failed: "undo" };
+
+/** @param {{store: import("./store.js").CalibrationStore}} bar */
+export function StepBar({ store: { calibration, step: shown, go, restart } }) {
+  const { steps } = calibration.value;
   const hasBegun = steps.some(({ status }) => status === "done" || status === "failed");
   return h(
     "div",
     { class: "step-bar" },
-    list,
-    hasBegun && h("button", { type: "button", class: "btn bare small", onclick: onRestart }, t("result-restart")),
+    h(
+      "ol",
+      { class: "steps", "aria-label": t("calibrate-steps") },
+      steps.map((step, index) =>
+        h(
+          "li",
+          { key: step.id },
+          h(StepButton, { step, index, isShown: step.id === shown.value.id, onClick: () => go(step.id) }),
+        ),
+      ),
+    ),
+    hasBegun && h("button", { type: "button", class: "btn bare small", onClick: restart }, t("result-restart")),
+  );
+}
+
+/** @param {{step: CalibrationStep, index: number, isShown: boolean, onClick: () => void}} button */
+function StepButton({ step, index, isShown, onClick }) {
+  const hasToBeRepeated = step.status === "done" && step.kind !== "result" && step.message !== ""; // but can be used
+  const status = hasToBeRepeated ? "failed" : step.status;
+  const name = step.joint ? jointLabel({ name: step.joint, label: step.label }) : step.label;
+  const label = `${name}: ${t(`calibrate-step-${status}`)}`;
+  const icon = ICONS[status];
+  const sign = status === "skipped" ? "–" : String(index + 1);
+  return h(
+    "button",
+    {
+      type: "button",
+      class: status,
+      "aria-label": icon ? label : `${sign} ${label}`, // what is written is a part of the name
+      title: step.title,
+      "aria-current": isShown ? "step" : undefined,
+      onClick,
+    },
+    h("span", {}, icon ? h(Icon, { name: icon, size: 16 }) : sign),
+    " ", // between number and name, also for what reads them out
+    h("small", {}, name),
   );
 }
