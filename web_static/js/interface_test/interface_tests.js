@@ -1,42 +1,58 @@
 /**
  * What two-minute tests came to: the figures of one, the curve of a measure over all, and whether the newest is better.
+ * @import { App } from "../main.js"
  * @import { InterfaceTestView, InterfaceTestsView } from "types/api"
+ * @import { ReadonlySignal } from "../preact.js"
  */
-import { t } from "../texts.js";
-import { h, put } from "../widgets/dom.js";
-import { field, selection } from "../widgets/fields.js";
-import { moment, number } from "../widgets/format.js";
-import { scrollTable } from "../widgets/scroll_table.js";
-import { testChart } from "./test_chart.js";
+import { ChartPlace } from "../charts/chart_place.js";
+import { newestAnswer } from "../live/newest_answer.js";
+import { Fragment, h, useSignal } from "../preact.js";
 import { REFERENCE } from "../reference.js";
-import { groupMark } from "../results/source_group.js";
+import { GroupMark } from "../results/source_group.js";
+import { t } from "../texts.js";
+import { Field, Selection } from "../widgets/fields.js";
+import { moment, number } from "../widgets/format.js";
+import { ScrollTable, TableHead } from "../widgets/scroll_table.js";
+import { testChart } from "./test_chart.js";
 import { testEntry, testFigure, testMeasure, testNames } from "./test_measures.js";
 
 /** @type {Record<string, string>} */
 const TONES = { better: "good", worse: "bad" };
 
 /**
- * A patient's two-minute tests, as a section of a page about the patient; empty while there is none.
- * @param {import("../main.js").App} app @param {number} patient id @param {AbortSignal} signal
+ * A signal of a patient's two-minute tests, which are read again after news of tests; null until they were read.
+ * @param {App} app @param {number} patient id @param {AbortSignal} left
  */
-export function testsPlace(app, patient, signal) {
-  const place = h("div", { class: "stack" });
-  let drawn = new AbortController();
-  let shown = "";
-  signal.addEventListener("abort", () => drawn.abort());
-  const read = async () => {
-    const found = await app.api.get(`/interface-tests?patient=${patient}`);
-    const test = newestTest(found);
-    const answer = JSON.stringify(found);
-    if (signal.aborted || !test || answer === shown) return; // what was opened on it stays open
-    shown = answer;
-    drawn.abort();
-    drawn = new AbortController();
-    put(place, h("h2", {}, t("rail-interface-test")), testFigures(test), courseCard(found, drawn.signal));
-  };
-  app.live.addEventListener("changed", ({ detail }) => detail === "test" && app.toasts.attempt(read), { signal });
-  app.toasts.attempt(read);
-  return place;
+export function patientTests(app, patient, left) {
+  const ask = () => app.api.get(`/interface-tests?patient=${patient}`);
+  const tests = newestAnswer(app, left, /** @type {InterfaceTestsView | null} */ (null), ask, ["test"]);
+  app.toasts.attempt(async () => {
+    const first = await ask();
+    tests.value ??= first; // unless news came meanwhile
+  });
+  return tests;
+}
+
+/**
+ * A patient's two-minute tests, as a part of a page about the patient; empty while there is none.
+ * @param {{app: App, left: AbortSignal, tests: ReadonlySignal<InterfaceTestsView | null>, isHidden?: boolean}} part
+ */
+export function PatientTests({ app, left, tests, isHidden = false }) {
+  const read = tests.value;
+  const test = read && newestTest(read);
+  return h(
+    "div",
+    { class: "stack", hidden: isHidden },
+    read &&
+      test &&
+      h(
+        Fragment,
+        {},
+        h("h2", {}, t("rail-interface-test")),
+        h(TestFigures, { key: test.id, test }),
+        h(TestCourse, { app, left, read }),
+      ),
+  );
 }
 
 /** The newest test that ended. @param {InterfaceTestsView} read */
@@ -44,8 +60,8 @@ export function newestTest({ tests }) {
   return tests.findLast((test) => test.status === "done") ?? null;
 }
 
-/** The figures of one test. @param {InterfaceTestView} test */
-export function testFigures(test) {
+/** The figures of one test. @param {{test: InterfaceTestView}} card */
+export function TestFigures({ test }) {
   const { measures, end, number: which, session, started } = test;
   const large = REFERENCE.measures.leading_of_tests;
   const title = h(
@@ -71,7 +87,7 @@ export function testFigures(test) {
       large.map((name) =>
         h(
           "div",
-          {},
+          { key: name },
           h("div", { class: "quiet" }, testEntry(name).name),
           h("div", { class: "big" }, largeFigure(test, name)),
         ),
@@ -90,25 +106,17 @@ export function testFigures(test) {
       "details",
       {},
       h("summary", {}, t("test-details")),
-      scrollTable(
-        t("test-ways"),
-        "test-ways",
-        h(
-          "thead",
-          {},
-          h(
-            "tr",
-            {},
-            ["way", "acquired", "missed", "time"].map((name) => h("th", { scope: "col" }, t(`test-ways-${name}`))),
-          ),
-        ),
+      h(
+        ScrollTable,
+        { label: t("test-ways"), kind: "test-ways" },
+        h(TableHead, { columns: ["way", "acquired", "missed", "time"].map((name) => t(`test-ways-${name}`)) }),
         h(
           "tbody",
           {},
           Object.entries(measures.directions).map(([way, { acquired, missed, movement_time: time }]) =>
             h(
               "tr",
-              {},
+              { key: way },
               h("th", { scope: "row" }, t(`test-way-${way}`)),
               h("td", {}, acquired),
               h("td", {}, missed),
@@ -122,12 +130,14 @@ export function testFigures(test) {
         .map((name) =>
           h(
             "p",
-            {},
+            { key: name },
             `${testEntry(name).name}: ${testFigure(test, name)}. `,
             h("span", { class: "quiet" }, testEntry(name).meaning),
           ),
         ),
-      large.map((name) => h("p", { class: "quiet small" }, `${testEntry(name).name}: ${testEntry(name).meaning}`)),
+      large.map((name) =>
+        h("p", { key: name, class: "quiet small" }, `${testEntry(name).name}: ${testEntry(name).meaning}`),
+      ),
       h("p", { class: "quiet small" }, t("test-publications")),
     ),
   );
@@ -139,35 +149,30 @@ function largeFigure(test, name) {
   return [number(testMeasure(test, name), digits), " ", h("small", {}, unit)];
 }
 
-/** The curve of a measure over the tests, and what is better than noise. @param {InterfaceTestsView} read @param {AbortSignal} signal */
-export function courseCard(read, signal) {
+/**
+ * The curve of a measure over the tests, and what is better than noise.
+ * @param {{app: App, left: AbortSignal, read: InterfaceTestsView}} card
+ */
+export function TestCourse({ app, left, read }) {
   const { course, source } = read;
-  const place = h("div", {});
-  let measure = testNames()[0];
-  let drawn = new AbortController();
-  signal.addEventListener("abort", () => drawn.abort());
-  const draw = async () => {
-    drawn.abort();
-    const until = (drawn = new AbortController()).signal;
-    const made = await testChart(read, measure, until);
-    if (!until.aborted) put(place, made);
-  };
-  const choice = selection(
-    testNames().map((name) => ({ value: name, label: testEntry(name).name })),
-    measure,
-    (name) => {
-      measure = name;
-      draw();
-    },
-  );
-  draw();
+  const measure = useSignal(testNames()[0]);
+  const choice = h(Selection, {
+    options: testNames().map((name) => ({ value: name, label: testEntry(name).name })),
+    chosen: measure.value,
+    onChange: (name) => (measure.value = name),
+  });
   const few = course.counted.length < 2;
   return h(
     "section",
     { class: "card test-course" },
-    h("h2", {}, t("test-curve"), " ", source && groupMark(source)),
-    h("div", { class: "columns" }, field(t("review-measure"), choice)),
-    place,
+    h("h2", {}, t("test-curve"), " ", source && h(GroupMark, { group: source })),
+    h("div", { class: "columns" }, h(Field, { label: t("review-measure") }, choice)),
+    h(ChartPlace, {
+      app,
+      left,
+      of: [read, measure.value],
+      make: (until) => testChart(read, measure.value, until),
+    }),
     few
       ? h("p", { class: "quiet" }, t("test-one"))
       : [verdictTable(read), h("p", { class: "quiet small" }, t("test-noise"))],
@@ -177,32 +182,24 @@ export function courseCard(read, signal) {
 
 /** @param {InterfaceTestsView} read */
 function verdictTable({ course }) {
-  return scrollTable(
-    t("verdict-title"),
-    "test-verdicts",
-    h(
-      "thead",
-      {},
-      h(
-        "tr",
-        {},
-        h("th", { scope: "col" }, t("over-measure")),
-        course.comparisons.map(({ earlier }) => h("th", { scope: "col" }, t("test-against", { number: earlier }))),
-      ),
-    ),
+  const columns = course.comparisons.map(({ earlier }) => t("test-against", { number: earlier }));
+  return h(
+    ScrollTable,
+    { label: t("verdict-title"), kind: "test-verdicts" },
+    h(TableHead, { columns: [t("over-measure"), ...columns] }),
     h(
       "tbody",
       {},
       testNames().map((name) =>
         h(
           "tr",
-          {},
+          { key: name },
           h("th", { scope: "row" }, testEntry(name).name),
-          course.comparisons.map(({ verdicts }) => {
+          course.comparisons.map(({ earlier, verdicts }) => {
             const word = verdicts[name]?.word;
             return h(
               "td",
-              { class: `change ${TONES[word ?? ""] ?? ""}` },
+              { key: earlier, class: `change ${TONES[word ?? ""] ?? ""}` },
               word ? REFERENCE.measures.verdicts_of_tests[word] : "–",
             );
           }),

@@ -2,11 +2,11 @@
  * How well the map fitted one trial: a card for a trial that is over, and for its page in Review.
  * @import { ControlQuality, JointQuality } from "types/api"
  */
+import { h } from "../preact.js";
 import { t } from "../texts.js";
-import { h } from "../widgets/dom.js";
 import { number, ofFull, percent } from "../widgets/format.js";
 import { jointLabel, sensorWithin } from "../widgets/joint_words.js";
-import { scrollTable } from "../widgets/scroll_table.js";
+import { ScrollTable, TableHead } from "../widgets/scroll_table.js";
 
 /** How each figure is written. @type {Record<string, (value: number | null | undefined) => string>} */
 export const QUALITIES = {
@@ -30,8 +30,8 @@ export const OF_JOINT = /** @type {const} */ ([
   "activations",
 ]);
 
-/** @param {{quality: ControlQuality | null}} trial what GET /trials/ID answered @returns {HTMLElement} */
-export function qualityCard({ quality }) {
+/** @param {{quality: ControlQuality | null}} card of a trial, as GET /trials/ID answered */
+export function QualityCard({ quality }) {
   const title = h("h2", {}, t("quality-title"));
   if (!quality)
     return h("section", { class: "card quality-card" }, title, h("p", { class: "quiet" }, t("quality-none")));
@@ -50,7 +50,7 @@ export function qualityCard({ quality }) {
       OF_TRIAL.map((name) =>
         h(
           "div",
-          {},
+          { key: name },
           h("dt", {}, t(`quality-${name}`), h("small", { class: "quiet" }, ` ${t(`quality-means-${name}`)}`)),
           h("dd", { class: "number" }, QUALITIES[name](quality[name])),
         ),
@@ -70,17 +70,21 @@ function jointTable(joints) {
   const row = (joint) =>
     h(
       "tr",
-      {},
+      { key: joint.name },
       h("th", { scope: "row" }, jointLabel(joint)),
-      OF_JOINT.map((name) => h("td", {}, QUALITIES[name](joint[name]))),
+      OF_JOINT.map((name) => h("td", { key: name }, QUALITIES[name](joint[name]))),
     );
   /** @param {string} name */
   const head = (name) =>
-    h("th", { scope: "col", title: name === "activations" ? null : t(`quality-means-${name}`) }, t(`quality-${name}`));
-  return scrollTable(
-    t("quality-title"),
-    "measures",
-    h("thead", {}, h("tr", {}, h("th", { scope: "col" }, t("quality-joint")), OF_JOINT.map(head))),
+    h(
+      "th",
+      { key: name, scope: "col", title: name === "activations" ? undefined : t(`quality-means-${name}`) },
+      t(`quality-${name}`),
+    );
+  return h(
+    ScrollTable,
+    { label: t("quality-title"), kind: "measures" },
+    h(TableHead, { columns: [t("quality-joint")] }, OF_JOINT.map(head)),
     h("tbody", {}, joints.map(row)),
   );
 }

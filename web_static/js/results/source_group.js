@@ -4,9 +4,8 @@
  * @typedef {"worn" | "simulated" | "unknown"} SourceGroup
  * @typedef {{source: {simulated: boolean | null}}} WithSource a trial, as far as its group goes
  */
-import { h as draw } from "../preact.js";
+import { h } from "../preact.js";
 import { t } from "../texts.js";
-import { h } from "../widgets/dom.js";
 import { Field, Selection } from "../widgets/fields.js";
 
 /** @type {SourceGroup[]} */
@@ -24,14 +23,9 @@ export function firstGroup(trials) {
   return groups.includes("worn") ? "worn" : groups[groups.length - 1];
 }
 
-/** A sign for trials that nobody drove by their own movements; null for worn ones. @param {SourceGroup} group */
-export function groupMark(group) {
-  return group === "worn" ? null : h("span", { class: "tag source-mark" }, t(`source-group-${group}`));
-}
-
-/** The same sign as a component. @param {{group: SourceGroup}} mark */
+/** A sign for trials that nobody drove by their own movements; nothing for worn ones. @param {{group: SourceGroup}} mark */
 export function GroupMark({ group }) {
-  return group === "worn" ? null : draw("span", { class: "tag source-mark" }, t(`source-group-${group}`));
+  return group === "worn" ? null : h("span", { class: "tag source-mark" }, t(`source-group-${group}`));
 }
 
 /**
@@ -41,8 +35,8 @@ export function GroupMark({ group }) {
  */
 export function SourceCell({ of, children }) {
   const group = groupOf(of);
-  const mark = group === "worn" ? t("source-group-worn") : draw(GroupMark, { group });
-  return draw("td", { title: of.source.description }, mark, children);
+  const mark = group === "worn" ? t("source-group-worn") : h(GroupMark, { group });
+  return h("td", { title: of.source.description }, mark, children);
 }
 
 /**
@@ -57,5 +51,5 @@ export function GroupChoice({ trials, chosen, onChange }) {
     return { value: group, label: t("source-group-count", { group: t(`source-group-${group}`), count }) };
   });
   const choose = (/** @type {string} */ group) => onChange(/** @type {SourceGroup} */ (group));
-  return draw(Field, { label: t("source-group") }, draw(Selection, { options, chosen, onChange: choose }));
+  return h(Field, { label: t("source-group") }, h(Selection, { options, chosen, onChange: choose }));
 }

@@ -2,11 +2,13 @@
  * What a trial came to: the large figures, the driven line, and a table beside the trials before.
  * @import { FloorPlan, TrialDetail, TrialVerdicts, TrialView } from "types/api"
  * @import { Measures } from "./measures.js"
+ * @import { TrialReading } from "./trial_over.js"
  * @typedef {{title: string, reached: boolean, time: number | null, [name: string]: unknown}} StageResult one of a course
  */
+import { h } from "../preact.js";
 import { t } from "../texts.js";
-import { h } from "../widgets/dom.js";
 import { number } from "../widgets/format.js";
+import { Made } from "../widgets/made.js";
 import {
   comparable,
   entryOf,
@@ -22,9 +24,9 @@ import {
 import { interruptionWords, isInterrupted } from "./interruptions.js";
 import { originWords } from "./origin_words.js";
 import { planPicture } from "../plan/plan_svg.js";
-import { scrollTable } from "../widgets/scroll_table.js";
+import { ScrollTable, TableHead } from "../widgets/scroll_table.js";
 import { groupOf } from "./source_group.js";
-import { isFamiliarisation, noiseNote, verdictLine, verdictWords } from "./verdict_words.js";
+import { isFamiliarisation, NoiseNote, verdictLine, verdictWords } from "./verdict_words.js";
 import { wayDone } from "./way_done.js";
 
 /** The trials before this one of the same source, on the same path, that count and were measured. @param {TrialDetail} trial @param {TrialView[]} trials */
@@ -41,8 +43,8 @@ function earlierTrials(trial, trials) {
   );
 }
 
-/** @param {TrialDetail} trial @param {TrialView[]} trials the patient's @param {FloorPlan | null} plan @param {TrialVerdicts | null} found */
-export function trialSummary(trial, trials, plan, found) {
+/** @param {{reading: TrialReading, left: AbortSignal}} summary */
+export function TrialSummary({ reading: { trial, trials, plan, verdicts: found }, left }) {
   const earlier = earlierTrials(trial, trials);
   const { measures } = trial;
   const large = largeMeasures(trial);
@@ -66,7 +68,7 @@ export function trialSummary(trial, trials, plan, found) {
     h(
       "div",
       { class: "summary-columns" },
-      drivenCard(trial, plan),
+      drivenCard(trial, plan, left),
       measures && tableCard(measures, earlier, trial.kept ? found : null),
     ),
   );
@@ -100,7 +102,7 @@ function largeFigure(name, measures, found) {
   const verdict = verdictWords(name, found?.verdicts[name]);
   return h(
     "section",
-    { class: "card" },
+    { class: "card", key: name },
     h("h2", {}, nameOf(name)),
     h("div", { class: "big" }, figureOf(name, measures)),
     h(
@@ -134,7 +136,7 @@ function stagesCard(parts) {
     const [first] = leadingMeasures(own).filter((name) => comparable(name, { ...own, reached }) && name !== "dist");
     return h(
       "tr",
-      {},
+      { key: index },
       h("th", { scope: "row" }, `${index + 1}. ${title}`),
       h("td", { class: reached ? "change good" : "change" }, t(reached ? "over-stage-done" : "over-stage-open")),
       h("td", {}, reached ? withUnit("time", time) : "–"),
@@ -145,12 +147,12 @@ function stagesCard(parts) {
     "section",
     { class: "card" },
     h("h2", {}, t("over-stages")),
-    scrollTable(t("over-stages"), "measures", h("tbody", {}, parts.map(row))),
+    h(ScrollTable, { label: t("over-stages"), kind: "measures" }, h("tbody", {}, parts.map(row))),
   );
 }
 
-/** @param {TrialDetail} trial @param {FloorPlan | null} plan */
-function drivenCard(trial, plan) {
+/** @param {TrialDetail} trial @param {FloorPlan | null} plan @param {AbortSignal} left */
+function drivenCard(trial, plan, left) {
   const { trajectory } = trial;
   if (!plan || !trajectory)
     return h(
@@ -159,13 +161,16 @@ function drivenCard(trial, plan) {
       h("h2", {}, t("over-driven")),
       h("p", { class: "quiet" }, t("over-no-trajectory")),
     );
-  const picture = planPicture(plan, trial.path, {
-    label: t("over-driven"),
-    hasRooms: true,
-    request: requestOf(trial, plan),
-  });
-  picture.setTrajectory(trajectory.x.map((x, i) => [x, trajectory.y[i]]));
-  return h("section", { class: "card driven-card" }, h("h2", {}, t("over-driven")), picture.element);
+  const make = () => {
+    const picture = planPicture(plan, trial.path, {
+      label: t("over-driven"),
+      hasRooms: true,
+      request: requestOf(trial, plan),
+    });
+    picture.setTrajectory(trajectory.x.map((x, i) => [x, trajectory.y[i]]));
+    return picture.element;
+  };
+  return h("section", { class: "card driven-card" }, h("h2", {}, t("over-driven")), h(Made, { left, make }));
 }
 
 /** @param {Measures} measures @param {TrialView[]} earlier @param {TrialVerdicts | null} found */
@@ -179,7 +184,7 @@ function tableCard(measures, earlier, found) {
       const verdict = verdictWords(name, found?.verdicts[name]);
       return h(
         "tr",
-        {},
+        { key: name },
         h("th", { scope: "row" }, nameOf(name)),
         h("td", { class: "own" }, withUnit(name, measured(measures, name))),
         previous && [
@@ -190,7 +195,7 @@ function tableCard(measures, earlier, found) {
         ],
       );
     });
-  const head = [
+  const columns = [
     t("over-measure"),
     t("over-this"),
     ...(previous
@@ -201,21 +206,8 @@ function tableCard(measures, earlier, found) {
     "section",
     { class: "card" },
     h("h2", {}, title),
-    scrollTable(
-      title,
-      "measures",
-      h(
-        "thead",
-        {},
-        h(
-          "tr",
-          {},
-          head.map((words) => h("th", { scope: "col" }, words)),
-        ),
-      ),
-      h("tbody", {}, rows),
-    ),
-    previous && noiseNote(),
+    h(ScrollTable, { label: title, kind: "measures" }, h(TableHead, { columns }), h("tbody", {}, rows)),
+    previous && h(NoiseNote, {}),
     h("details", { class: "small" }, h("summary", {}, t("measure-details")), h("p", {}, t("measure-details-words"))),
   );
 }

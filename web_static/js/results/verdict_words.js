@@ -3,10 +3,9 @@
  * @import { TrialVerdicts, Verdict } from "types/api"
  * @typedef {{words: string, arrow: string, amount: string, noise: string, tone: "good" | "bad" | ""}} VerdictWords
  */
-import { h as draw } from "../preact.js";
+import { h } from "../preact.js";
 import { REFERENCE } from "../reference.js";
 import { t } from "../texts.js";
-import { h } from "../widgets/dom.js";
 import { number } from "../widgets/format.js";
 import { entryOf, figure, joined, REACHED, signedWithUnit } from "./measures.js";
 
@@ -51,15 +50,7 @@ export function isFamiliarisation(found, trial) {
 }
 
 /** What noise is, and that nobody has published a limit for it. */
-export function noiseNote() {
-  return h("p", { class: "quiet small noise-note" }, noiseWords());
-}
-
-/** The same as a component. */
 export function NoiseNote() {
-  return draw("p", { class: "quiet small noise-note" }, noiseWords());
-}
-
-function noiseWords() {
-  return ["means", "chance", "missed", "unpublished"].map((name) => t(`verdict-${name}`)).join(" ");
+  const words = ["means", "chance", "missed", "unpublished"].map((name) => t(`verdict-${name}`)).join(" ");
+  return h("p", { class: "quiet small noise-note" }, words);
 }

@@ -3,19 +3,20 @@
  * Stop in the header stays. The page comes back, with what was typed, when the same person gives the password.
  * @import { Me } from "types/api"
  */
-import { failureWords } from "../api.js";
+import { h, render } from "../preact.js";
 import { REFERENCE } from "../reference.js";
 import { t } from "../texts.js";
-import { h, put } from "../widgets/dom.js";
-import { field } from "../widgets/fields.js";
-import { passwordField } from "./password_field.js";
+import { h as element } from "../widgets/dom.js";
+import { Field } from "../widgets/fields.js";
+import { DoorForm } from "./door_form.js";
+import { PasswordField } from "./password_field.js";
 
 const TELL_EVERY = 10_000; // ms between two reports that the person does something
 const ACTIONS = ["pointerdown", "keydown", "wheel"];
 
 export class Lock {
   #app;
-  #cover = h("main", { class: "page lock-page", tabindex: "-1" });
+  #cover = element("main", { class: "page lock-page", tabindex: "-1" });
   #isHidden = false; // the server shows this page nothing of a patient: it is locked, or this reviewer may not see it
   #toldAt = -TELL_EVERY;
   isLocked = false;
@@ -68,7 +69,7 @@ export class Lock {
     app.toasts.clear();
     app.question.style.display = "none";
     app.frame.classList.add("locked", "alone");
-    put(this.#cover, this.#doors());
+    render(this.#doors(), this.#cover);
     app.root.replaceWith(this.#cover);
     app.dispatchEvent(new Event("me")); // the header names nobody now
     this.#cover.querySelector("input")?.focus({ preventScroll: true });
@@ -82,7 +83,7 @@ export class Lock {
     app.question.style.display = "";
     app.frame.classList.remove("locked", "alone");
     this.#cover.replaceWith(app.root);
-    put(this.#cover);
+    render(null, this.#cover);
     app.dispatchEvent(new Event("me"));
   }
 
@@ -95,49 +96,41 @@ export class Lock {
 
   #doors() {
     const app = this.#app;
-    const password = h("input", { type: "password", autocomplete: "current-password", required: true });
-    const name = h("input", { type: "text", autocomplete: "username", required: true, maxlength: 80 });
-    const otherPassword = h("input", { type: "password", autocomplete: "current-password", required: true });
-    const unlock = async () => this.#open(await app.api.post("/auth/unlock", { password: password.value }));
-    const enter = async () => {
-      const credentials = { name: name.value.trim(), password: otherPassword.value };
-      const me = await app.api.post("/auth/sign-in", credentials);
+    /** @param {Record<string, string>} typed */
+    const unlock = async ({ password }) => this.#open(await app.api.post("/auth/unlock", { password }));
+    /** @param {Record<string, string>} typed */
+    const enter = async ({ name, password }) => {
+      const me = await app.api.post("/auth/sign-in", { name: name.trim(), password });
       app.signedOut("");
       await app.signedIn(me);
     };
+    const autocomplete = "current-password";
     return h(
       "div",
       { class: "door card" },
-      h("h1", { tabindex: "-1" }, t("lock-title")),
+      h("h1", { tabindex: -1 }, t("lock-title")),
       h("p", { class: "lead" }, t("lock-lead", { minutes: REFERENCE.numbers.lock_minutes })),
-      form(unlock, t("lock-open"), passwordField(t("lock-password", { name: app.me?.name }), password)),
+      h(
+        DoorForm,
+        { action: t("lock-open"), send: unlock },
+        h(PasswordField, { label: t("lock-password", { name: app.me?.name }), autocomplete }),
+      ),
       h(
         "details",
         {},
         h("summary", {}, t("lock-other")),
         h("p", { class: "quiet small" }, t("lock-other-lead", { name: app.me?.name })),
-        form(
-          enter,
-          t("sign-in-go"),
-          field(t("sign-in-name"), name),
-          passwordField(t("sign-in-password"), otherPassword),
+        h(
+          DoorForm,
+          { action: t("sign-in-go"), send: enter },
+          h(
+            Field,
+            { label: t("sign-in-name") },
+            h("input", { type: "text", name: "name", autocomplete: "username", required: true, maxlength: 80 }),
+          ),
+          h(PasswordField, { label: t("sign-in-password"), autocomplete }),
         ),
       ),
     );
   }
-}
-
-/** @param {() => Promise<void>} act @param {string} words of its button @param {...HTMLElement} fields */
-function form(act, words, ...fields) {
-  const problem = h("p", { class: "problem", role: "alert" });
-  const go = h("button", { class: "btn go large" }, words);
-  /** @param {SubmitEvent} event */
-  const submit = async (event) => {
-    event.preventDefault();
-    problem.textContent = "";
-    go.disabled = true; // a second tap would count as a second try
-    await act().catch((error) => (problem.textContent = failureWords(error)));
-    go.disabled = false;
-  };
-  return h("form", { class: "stack", onsubmit: submit }, fields, problem, go);
 }

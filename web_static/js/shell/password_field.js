@@ -1,28 +1,45 @@
 /** A field for a password, which can be shown while it is typed. */
-import { h, write } from "../widgets/dom.js";
-import { field } from "../widgets/fields.js";
+import { h, useRef, useSignal } from "../preact.js";
 import { t } from "../texts.js";
+import { Field } from "../widgets/fields.js";
+
+/** The field, whose name in its form is "password". @param {{label: string, hint?: string, autocomplete: string}} field */
+export function PasswordField({ label, hint, autocomplete }) {
+  return h(Field, { label, hint }, h(TypedPassword, { autocomplete }));
+}
 
 /**
- * The field with a button in it that shows what was typed, or hides it again.
- * @param {string} label @param {HTMLInputElement} input @param {string} [hint]
+ * The input, and a button in it that shows what was typed, or hides it again.
+ * @param {{autocomplete: string, id?: string, "aria-describedby"?: string}} typed id and description: given by `Field`
  */
-export function passwordField(label, input, hint) {
-  const element = field(label, input, hint);
-  const button = h("button", { type: "button", class: "btn bare small", "aria-controls": input.id });
-  /** @param {boolean} isShown */
-  const show = (isShown) => {
-    input.type = isShown ? "text" : "password";
-    write(button, t(isShown ? "typed-hide" : "typed-show"));
-    button.setAttribute("aria-label", t(isShown ? "typed-hide-label" : "typed-show-label"));
+function TypedPassword({ id, ...attributes }) {
+  const input = useRef(/** @type {HTMLInputElement | null} */ (null));
+  const isShown = useSignal(false);
+  const turn = () => {
+    isShown.value = !isShown.value;
+    input.current?.focus();
   };
-  button.addEventListener("click", () => {
-    show(input.type === "password");
-    input.focus();
-  });
-  show(false);
-  const place = h("div", { class: "typed" });
-  input.replaceWith(place);
-  place.append(input, button);
-  return element;
+  return h(
+    "div",
+    { class: "typed" },
+    h("input", {
+      ...attributes,
+      id,
+      name: "password",
+      type: isShown.value ? "text" : "password",
+      required: true,
+      ref: input,
+    }),
+    h(
+      "button",
+      {
+        type: "button",
+        class: "btn bare small",
+        "aria-controls": id,
+        "aria-label": t(isShown.value ? "typed-hide-label" : "typed-show-label"),
+        onClick: turn,
+      },
+      t(isShown.value ? "typed-hide" : "typed-show"),
+    ),
+  );
 }

@@ -1,13 +1,14 @@
 /** The key of a chair that was just paired: shown this once, with what to do on the chair. */
+import { h } from "../preact.js";
 import { t } from "../texts.js";
 import { copyText } from "./clipboard.js";
-import { h } from "./dom.js";
 
 /**
- * @param {import("../main.js").App} app @param {{key_line: string, qr: string}} answer of POST /chairs
- * @param {{name: string, host: string, port: number}} chair @param {() => void} onDone
+ * @param {object} card
+ * @param {import("../main.js").App} card.app @param {{key_line: string, qr: string}} card.answer of POST /chairs
+ * @param {{name: string, host: string, port: number}} card.chair @param {() => void} card.onDone
  */
-export function pairedCard(app, { key_line: line, qr }, { name, host, port }, onDone) {
+export function PairedCard({ app, answer: { key_line: line, qr }, chair: { name, host, port }, onDone }) {
   const start = `bodydrive chair receive --key-file chair.key --output ros2 --bind ${host} --port ${port}`;
   const copy = () => copyText(app, line, t("paired-copied"), t("paired-copy-failed"));
   /** @param {string} words */
@@ -15,7 +16,7 @@ export function pairedCard(app, { key_line: line, qr }, { name, host, port }, on
   return h(
     "section",
     { class: "paired" },
-    h("h2", { tabindex: "-1" }, t("paired-title", { name })),
+    h("h2", { tabindex: -1 }, t("paired-title", { name })),
     h("p", {}, t("paired-lead")),
     h("img", { class: "qr", src: pictureOf(qr), alt: t("paired-qr", { name }), width: 240, height: 240 }),
     h(
@@ -30,9 +31,9 @@ export function pairedCard(app, { key_line: line, qr }, { name, host, port }, on
       {},
       h("summary", {}, t("paired-line")),
       code(line),
-      h("button", { type: "button", class: "btn small", onclick: copy }, t("paired-copy")),
+      h("button", { type: "button", class: "btn small", onClick: copy }, t("paired-copy")),
     ),
-    h("button", { type: "button", class: "btn go", onclick: onDone }, t("paired-done")),
+    h("button", { type: "button", class: "btn go", onClick: onDone }, t("paired-done")),
   );
 }
 

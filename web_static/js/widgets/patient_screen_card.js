@@ -1,80 +1,53 @@
 /**
  * The patient's screens of this session: pair one by a code, what they show, unpair one.
+ * @import { App } from "../main.js"
  * @import { OfferView, ScreensView, ScreenView, ScreenSettings } from "types/api"
+ * @typedef {Awaited<ReturnType<typeof screenStore>>} ScreenStore
  */
+import { Fragment, h, signal, useOpening, useSignal } from "../preact.js";
 import { t } from "../texts.js";
 import { copyText } from "./clipboard.js";
-import { h, put, write } from "./dom.js";
-import { field, selection, toggle } from "./fields.js";
+import { Field, Selection, Toggle } from "./fields.js";
 import { moment } from "./format.js";
-import { icon } from "./icons.js";
-import { languageOptions } from "./language_choice.js";
-import { rowList } from "./list.js";
+import { Icon } from "./icons.js";
+import { languageOptions, languagesOf } from "./language_choice.js";
+import { useUntilGone } from "./made.js";
 import { pictureOf } from "./one_time_key.js";
 
 const WISHES = /** @type {const} */ (["arrow", "sounds", "large", "plan"]);
+const NEWS = ["screens", "session", "everything"];
 const LOOK_EVERY = 5000; // ms between two looks at the time that a code has left
 const MINUTE = 60_000; // ms
 
 /**
- * @param {import("../main.js").App} app @param {AbortSignal} signal
- * @param {{isPage?: boolean}} [options] on a page of its own, the page has the heading
+ * What the card shows, read before it is shown, so that nothing on it moves.
+ * @param {App} app @param {AbortSignal} left
  */
-export async function patientScreenCard(app, signal, { isPage = false } = {}) {
-  const list = rowList("paired-chairs");
-  const wishes = h("div", { class: "spread" });
-  const below = h("div", {});
-  const element = h(
-    "section",
-    { class: "card patient-screens" },
-    !isPage && h("h2", {}, t("screens-title")),
-    !isPage && h("p", { class: "quiet small" }, t("screens-lead")),
-    list,
-    wishes,
-    below,
-  );
-  let isOpen = false; // a code is shown
-  /** @type {ScreensView | null} */
-  let shown = null;
-
-  /** @param {ScreensView} read */
-  const draw = (read) => {
-    const before = shown;
-    if (isOpen && before && read.screens.some(({ id }) => !before.screens.some((screen) => screen.id === id))) {
+export async function screenStore(app, left) {
+  const isHere = signal(false); // whether somebody has a session
+  const shown = signal(/** @type {ScreensView | null} */ (null)); // null: nobody is here, or it could not be read
+  const code = signal(/** @type {OfferView | null} */ (null)); // the code that is shown
+  const refusals = signal(0); // of choices
+  const closeCode = () => void (code.value = null);
+  /** @param {ScreensView} now */
+  const show = (now) => {
+    const before = shown.value?.screens;
+    if (code.value && before && now.screens.some(({ id }) => !before.some((screen) => screen.id === id))) {
       app.toasts.show(t("screens-paired"));
-      offer();
+      closeCode();
     }
-    shown = read;
-    list.show(read.screens.map(row));
-    const hadFocus = wishes.contains(document.activeElement);
-    const at = [...wishes.querySelectorAll("input, select")].findIndex((input) => input === document.activeElement);
-    put(
-      wishes,
-      WISHES.map((wish) => toggle(t(`screens-${wish}`), read.settings[wish], (on) => choose({ [wish]: on }))),
-      languageOf(read.settings),
-    );
-    if (hadFocus) /** @type {NodeListOf<HTMLElement>} */ (wishes.querySelectorAll("input, select"))[at]?.focus();
+    shown.value = now;
   };
-  /** @param {ScreenSettings} settings */
-  const languageOf = ({ language }) => {
-    const languages = app.me?.languages ?? [];
-    if (languages.length < 2) return null;
-    const options = [{ value: "", label: t("language-of-browser") }, ...languageOptions(languages)];
-    const select = selection(options, language ?? "", (chosen) => choose({ language: chosen || null }));
-    return field(t("language-screen"), select);
-  };
-  /** Draw what a call answers. @param {Promise<ScreensView>} answer @returns {Promise<boolean | undefined>} whether it was done */
+  /** Show what a call answers. @param {Promise<ScreensView>} answer @returns {Promise<boolean | undefined>} whether it was done */
   const call = (answer) =>
     app.toasts.attempt(async () => {
-      draw(await answer);
+      show(await answer);
       return true;
     });
-  const read = () => {
-    if (app.session?.patient) return call(app.api.get("/patient-screen"));
-    shown = null;
-    list.show([]);
-    put(wishes);
-    put(below, h("p", { class: "quiet" }, t("screens-nobody")));
+  const read = async () => {
+    isHere.value = Boolean(app.session?.patient);
+    if (isHere.value) await call(app.api.get("/patient-screen"));
+    else shown.value = null;
   };
   /** @type {Promise<unknown>} */
   let sent = Promise.resolve();
@@ -82,104 +55,148 @@ export async function patientScreenCard(app, signal, { isPage = false } = {}) {
   const choose = (change) => {
     const session = app.session?.session?.id;
     sent = sent.then(async () => {
-      if (!shown || app.session?.session?.id !== session) return; // meant for somebody who is not here any more
-      const settings = { ...shown.settings, ...change };
-      (await call(app.api.post("/patient-screen/settings", settings))) || (await read());
+      if (!shown.value || app.session?.session?.id !== session) return; // meant for somebody who is not here any more
+      const settings = { ...shown.value.settings, ...change };
+      if (await call(app.api.post("/patient-screen/settings", settings))) return;
+      await read();
+      refusals.value++;
     });
   };
   /** @param {ScreenView} screen */
   const unpair = async ({ id, number }) => {
     if (await call(app.api.remove(`/patient-screen/${id}`))) app.toasts.show(t("screens-unpaired", { number }));
   };
-  /** @param {ScreenView} screen */
-  const row = (screen) => {
-    const label = t("screens-unpair-label", { number: screen.number });
-    const action = { type: "button", class: "btn", "aria-label": label, onclick: () => unpair(screen) };
-    return h(
-      "div",
-      { class: "paired-chair row" },
-      h("b", {}, t("screens-name", { number: screen.number })),
-      h(
-        "span",
-        { class: `tag ${screen.connected ? "" : "att"}` },
-        t(`screens-${screen.connected ? "connected" : "away"}`),
-      ),
-      screen.picture &&
-        h("span", { class: `tag ${screen.picture === "none" ? "att" : ""}` }, t(`screens-picture-${screen.picture}`)),
-      h("span", { class: "quiet small grow" }, t("screens-since", { when: moment(screen.paired) })),
-      h("button", action, t("screens-unpair")),
-    );
-  };
-  const offer = () => {
-    isOpen = false;
-    put(below, h("button", { type: "button", class: "btn", onclick: open }, icon("plus", 20), t("screens-pair")));
-  };
-  /** @returns {Promise<void>} */
-  const open = () =>
+  const openCode = () =>
     app.toasts.attempt(async () => {
-      const made = await app.api.post("/patient-screen/pairing");
-      isOpen = true;
-      put(below, codeView(app, made, { onAgain: open, onClose: offer }, signal, isPage ? "h2" : "h3"));
-      /** @type {HTMLElement | null} */ (below.querySelector(".paired > :first-child"))?.focus();
+      code.value = await app.api.post("/patient-screen/pairing");
     });
-  app.live.addEventListener(
-    "changed",
-    ({ detail }) => ["screens", "session", "everything"].includes(detail) && read(),
-    { signal },
-  );
+  app.live.addEventListener("changed", ({ detail }) => NEWS.includes(detail) && read(), { signal: left });
   let session = app.session?.session?.id;
   const showSession = () => {
     if (app.session?.session?.id === session) return;
     session = app.session?.session?.id;
-    offer(); // a code is for one session
+    closeCode(); // it is for one session
     read();
   };
-  app.addEventListener("session", showSession, { signal });
-  offer();
-  await read(); // before it is shown, so that nothing on it moves
-  return element;
+  app.addEventListener("session", showSession, { signal: left });
+  await read();
+  return { app, left, isHere, shown, code, refusals, choose, unpair, openCode, closeCode };
+}
+
+/** @param {{store: ScreenStore, isPage?: boolean}} card isPage: on a page of its own, which has the heading */
+export function PatientScreenCard({ store, isPage = false }) {
+  const { shown, refusals, unpair } = store;
+  const { screens = [], settings } = shown.value ?? {};
+  return h(
+    "section",
+    { class: "card patient-screens" },
+    !isPage && h("h2", {}, t("screens-title")),
+    !isPage && h("p", { class: "quiet small" }, t("screens-lead")),
+    h(
+      "div",
+      { class: "paired-chairs", role: screens.length ? "list" : undefined },
+      screens.map((screen) => h(Row, { key: screen.id, screen, onUnpair: () => unpair(screen) })),
+    ),
+    // After a refusal, the choices are drawn anew, as they were.
+    h("div", { class: "spread" }, settings && h(Wishes, { key: refusals.value, store, settings })),
+    h(Pairing, { store, heading: isPage ? "h2" : "h3" }),
+  );
+}
+
+/** @param {{screen: ScreenView, onUnpair: () => void}} row */
+function Row({ screen: { number, connected, picture, paired }, onUnpair }) {
+  return h(
+    "div",
+    { class: "paired-chair row", role: "listitem" },
+    h("b", {}, t("screens-name", { number })),
+    h("span", { class: `tag ${connected ? "" : "att"}` }, t(`screens-${connected ? "connected" : "away"}`)),
+    picture && h("span", { class: `tag ${picture === "none" ? "att" : ""}` }, t(`screens-picture-${picture}`)),
+    h("span", { class: "quiet small grow" }, t("screens-since", { when: moment(paired) })),
+    h(
+      "button",
+      { type: "button", class: "btn", "aria-label": t("screens-unpair-label", { number }), onClick: onUnpair },
+      t("screens-unpair"),
+    ),
+  );
+}
+
+/** What the screens show, and in which language. @param {{store: ScreenStore, settings: ScreenSettings}} wishes */
+function Wishes({ store: { app, choose }, settings }) {
+  const languages = languagesOf(app);
+  const language = h(Selection, {
+    options: [{ value: "", label: t("language-of-browser") }, ...languageOptions(languages)],
+    chosen: settings.language ?? "",
+    onChange: (chosen) => choose({ language: chosen || null }),
+  });
+  return h(
+    Fragment,
+    {},
+    WISHES.map((wish) =>
+      h(Toggle, {
+        key: wish,
+        label: t(`screens-${wish}`),
+        on: settings[wish],
+        onChange: (on) => choose({ [wish]: on }),
+      }),
+    ),
+    languages.length > 0 && h(Field, { label: t("language-screen") }, language),
+  );
+}
+
+/** A button for a code, or the code. @param {{store: ScreenStore, heading: "h2" | "h3"}} pairing */
+function Pairing({ store, heading }) {
+  const { isHere, code, openCode } = store;
+  const offer = isHere.value ? code.value : null;
+  const place = useOpening(offer, ".paired > :first-child");
+  const button = () =>
+    h(
+      "button",
+      { type: "button", class: "btn", onClick: openCode },
+      h(Icon, { name: "plus", size: 20 }),
+      t("screens-pair"),
+    );
+  return h(
+    "div",
+    { ref: place },
+    !isHere.value && h("p", { class: "quiet" }, t("screens-nobody")),
+    isHere.value && !offer && button(),
+    offer && h(CodeView, { key: offer.code, store, offer, heading }),
+  );
 }
 
 /**
  * The code to scan, its link, and how long they hold.
- * @param {import("../main.js").App} app @param {OfferView} offer
- * @param {{onAgain: () => void, onClose: () => void}} actions @param {AbortSignal} signal
- * @param {"h2" | "h3"} heading
+ * @param {{store: ScreenStore, offer: OfferView, heading: "h2" | "h3"}} view
  */
-function codeView(app, { code, url, qr, message, expires }, { onAgain, onClose }, signal, heading) {
-  const about = h("p", { role: "status" });
-  const link = h("code", {}, url);
+function CodeView({ store: { app, left, openCode, closeCode }, offer: { code, url, qr, message, expires }, heading }) {
+  const timeLeft = () => Date.parse(expires) - Date.now();
+  const rest = useSignal(timeLeft());
+  useUntilGone(left, (gone) => {
+    const timer = setInterval(() => (rest.value = timeLeft()), LOOK_EVERY);
+    gone.addEventListener("abort", () => clearInterval(timer));
+  });
+  const isOver = rest.value <= 0;
+  const minutes = Math.max(1, Math.ceil(rest.value / MINUTE));
   const copy = () => copyText(app, url, t("screens-copied"), t("screens-copy-failed"));
-  /** @param {string} text @param {() => void} run */
-  const button = (text, run) => h("button", { type: "button", class: "btn", onclick: run }, text);
-  const picture = h("img", { class: "qr", src: pictureOf(qr), alt: t("screens-qr"), width: 240, height: 240 });
-  const element = h(
+  /** @param {string} text @param {() => void} onClick */
+  const button = (text, onClick) => h("button", { type: "button", class: "btn", onClick }, text);
+  return h(
     "div",
     { class: "paired" },
-    h(heading, { tabindex: "-1" }, t("screens-pair")),
-    about,
+    h(heading, { tabindex: -1 }, t("screens-pair")),
+    h("p", { role: "status" }, isOver ? t("screens-expired") : t("screens-scan", { minutes })),
     message && h("p", { class: "att" }, message),
-    picture,
+    h("img", { class: "qr", src: pictureOf(qr), alt: t("screens-qr"), width: 240, height: 240, hidden: isOver }),
     h("p", {}, t("screens-type", { address: url.slice(0, url.indexOf("#")) })),
     h("p", { class: "typed-code" }, `${code.slice(0, 4)} ${code.slice(4)}`),
     h("p", { class: "small" }, t("screens-link")),
-    h("pre", {}, link),
+    h("pre", {}, h("code", {}, url)),
     h(
       "div",
       { class: "spread" },
       button(t("screens-copy"), copy),
-      button(t("screens-again"), onAgain),
-      button(t("screens-close"), onClose),
+      button(t("screens-again"), openCode),
+      button(t("screens-close"), closeCode),
     ),
   );
-  const show = () => {
-    const left = Date.parse(expires) - Date.now();
-    picture.hidden = left <= 0;
-    const minutes = Math.max(1, Math.ceil(left / MINUTE));
-    write(about, left > 0 ? t("screens-scan", { minutes }) : t("screens-expired"));
-  };
-  const timer = setInterval(() => (element.isConnected ? show() : clearInterval(timer)), LOOK_EVERY);
-  signal.addEventListener("abort", () => clearInterval(timer));
-  show();
-  return element;
 }

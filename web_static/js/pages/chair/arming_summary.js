@@ -1,16 +1,16 @@
 /**
  * What arming would apply: the set, its modes, the speeds that hold and why, and whether it was practised like this.
  * @import { ParametersSummary } from "types/api"
- * @import { Fact } from "./fact_list.js"
+ * @import { Fact } from "../../widgets/fact_list.js"
  * @import { Application, ArmingStore, FullSummary } from "./store.js"
  */
 import { h } from "../../preact.js";
 import { t } from "../../texts.js";
+import { FactList } from "../../widgets/fact_list.js";
 import { Field, Selection } from "../../widgets/fields.js";
 import { moment, number, percent } from "../../widgets/format.js";
 import { SPEEDS, speedWords } from "../../widgets/speed_rows.js";
 import { differenceWords } from "./difference_words.js";
-import { FactList } from "./fact_list.js";
 
 const FIRST = new Set(["forward", "reverse", "turn"]); // what a person feels first; the others are folded away
 const FINGERPRINT = 8; // digits that people compare

@@ -5,8 +5,8 @@
  */
 import { h } from "../../preact.js";
 import { t } from "../../texts.js";
+import { FactList } from "../../widgets/fact_list.js";
 import { number, percent } from "../../widgets/format.js";
-import { FactList } from "./fact_list.js";
 
 const JUST_NOW = 0.2; // s: it tells every 0.1 s
 const DEGREES = 180 / Math.PI;

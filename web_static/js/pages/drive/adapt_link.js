@@ -1,18 +1,29 @@
-/** A small link to what would change, or has changed, of the map after a trial; nothing while there is neither. */
+/**
+ * A small link to what would change, or has changed, of the map after a trial; nothing while there is neither.
+ * @import { AdaptationView, TrialDetail } from "types/api"
+ */
+import { h, useSignal } from "../../preact.js";
 import { t } from "../../texts.js";
-import { h, write } from "../../widgets/dom.js";
+import { useUntilGone } from "../../widgets/made.js";
 
-/** @param {import("../../main.js").App} app @param {import("types/api").TrialDetail} trial @param {AbortSignal} signal */
-export function adaptLink(app, trial, signal) {
-  const link = h("a", { class: "btn bare", href: "#/adapt", hidden: true });
-  const read = async () => {
-    if (trial.patient_id !== app.session?.patient?.id) return;
-    const proposal = (await app.api.get("/adaptation").catch(() => null))?.proposal;
-    const own = proposal?.changes && proposal.trials.includes(trial.id) ? proposal : null; // of this trial
-    link.hidden = !own;
-    if (own) write(link, t(own.applied === null ? "adapt-link-proposed" : "adapt-link-applied"));
-  };
-  app.live.addEventListener("changed", ({ detail }) => detail === "adaptation" && read(), { signal });
-  read();
-  return link;
+/** @param {{app: import("../../main.js").App, trial: TrialDetail, left: AbortSignal}} link */
+export function AdaptLink({ app, trial, left }) {
+  const proposal = useSignal(/** @type {AdaptationView["proposal"]} */ (null));
+  useUntilGone(left, (signal) => {
+    const read = async () => {
+      if (trial.patient_id !== app.session?.patient?.id) return;
+      proposal.value = (await app.api.get("/adaptation").catch(() => null))?.proposal ?? null;
+    };
+    const follow = (/** @type {CustomEvent<string>} */ { detail }) =>
+      ["adaptation", "trial"].includes(detail) && read();
+    app.live.addEventListener("changed", follow, { signal });
+    read();
+  });
+  const now = proposal.value;
+  const own = now?.changes && now.trials.includes(trial.id) ? now : null; // of this trial
+  return h(
+    "a",
+    { class: "btn bare", href: "#/adapt", hidden: !own },
+    own && t(own.applied === null ? "adapt-link-proposed" : "adapt-link-applied"),
+  );
 }

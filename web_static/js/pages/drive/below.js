@@ -5,8 +5,7 @@
  */
 import { drawFoot, drawPage, h } from "../../preact.js";
 import { t } from "../../texts.js";
-import { Made } from "../../widgets/made.js";
-import { patientScreenCard } from "../../widgets/patient_screen_card.js";
+import { PatientScreenCard, screenStore } from "../../widgets/patient_screen_card.js";
 import { ChairChoice } from "./chair_choice.js";
 
 /** @param {App} app @param {HTMLElement} root @param {string[]} task to go back to @param {AbortSignal} left */
@@ -17,8 +16,8 @@ export async function showChairs(app, root, task, left) {
 
 /** @param {App} app @param {HTMLElement} root @param {string[]} task to go back to @param {AbortSignal} left */
 export async function showScreen(app, root, task, left) {
-  const card = await patientScreenCard(app, left, { isPage: true });
-  if (!left.aborted) showBelow(root, "screen", h(Made, { left, make: () => card }), task);
+  const store = await screenStore(app, left);
+  if (!left.aborted) showBelow(root, "screen", h(PatientScreenCard, { store, isPage: true }), task);
 }
 
 /** @param {HTMLElement} root @param {"chair" | "screen"} name @param {VNode<any>} card @param {string[]} task */

@@ -4,8 +4,8 @@
  * @import { TrialView } from "types/api"
  * @typedef {{floorplan: string, path: string}} Place where to drive
  */
-import { adaptLink } from "./adapt_link.js";
-import { h } from "../../widgets/dom.js";
+import { AdaptLink } from "./adapt_link.js";
+import { h } from "../../preact.js";
 import { emptyPage, patientHere } from "../../shell/nobody.js";
 import { readTrial, showTrialOver } from "../../results/trial_over.js";
 import { showTask } from "./task_page.js";
@@ -89,12 +89,15 @@ async function over(app, root, id, signal) {
   app.setSubject({ code: read.trial.patient_code, sessions: [read.trial.session_number] });
   /** @param {Place} where @param {boolean} isMain @param {string} words */
   const button = (where, isMain, words) =>
-    h("button", { type: "button", class: isMain ? "btn go" : "btn", onclick: () => app.requestTrial(where) }, words);
+    h("button", { type: "button", class: isMain ? "btn go" : "btn", onClick: () => app.requestTrial(where) }, words);
   const isHarder = next.reason === "next level";
-  showTrialOver(app, root, read, (trial) => [
-    adaptLink(app, trial, signal),
-    h("a", { class: "btn", href: "#/drive" }, t("over-other")),
-    button({ floorplan: trial.floorplan, path: trial.path_name }, !isHarder, t("over-next")),
-    isHarder && button({ floorplan: next.floorplan, path: next.path }, true, t("over-harder")),
-  ]);
+  showTrialOver(app, root, read, {
+    left: signal,
+    actions: (trial) => [
+      h(AdaptLink, { app, trial, left: signal }),
+      h("a", { class: "btn", href: "#/drive" }, t("over-other")),
+      button({ floorplan: trial.floorplan, path: trial.path_name }, !isHarder, t("over-next")),
+      isHarder && button({ floorplan: next.floorplan, path: next.path }, true, t("over-harder")),
+    ],
+  });
 }

@@ -4,7 +4,7 @@
  * @import { InterfaceTestsView } from "types/api"
  * @import { ComponentChildren, ReadonlySignal, Ref } from "../../preact.js"
  */
-import { courseCard, newestTest, testFigures } from "../../interface_test/interface_tests.js";
+import { newestTest, TestCourse, TestFigures } from "../../interface_test/interface_tests.js";
 import { targetCross } from "../../interface_test/target_cross.js";
 import { newestAnswer } from "../../live/newest_answer.js";
 import {
@@ -124,15 +124,10 @@ function Results({ store: { app, left, tests, mayTest } }) {
   return h(
     "div",
     { class: "stack test-results" },
-    test && h(Made, { key: `figures ${test.id}`, left, make: () => testFigures(test) }),
+    test && h(TestFigures, { key: `figures ${test.id}`, test }),
     test && isAsked && h(WorkloadCard, { key: `workload ${test.id}`, app, test }),
-    test && h(Made, { key: `course ${courseKey(read)}`, left, make: (gone) => courseCard(read, gone) }),
+    test && h(TestCourse, { app, left, read }),
   );
-}
-
-/** What the course is drawn by: with others, it begins anew. @param {InterfaceTestsView} read */
-function courseKey({ tests }) {
-  return tests.map(({ id, status, end }) => `${id} ${status} ${end}`).join();
 }
 
 /** @param {{store: TestStore}} foot */

@@ -4,13 +4,13 @@
  * @import { PlayHead } from "./play_head.js"
  */
 import { alongChart, COLOURS } from "../../charts/along_chart.js";
+import { ChartPlace } from "../../charts/chart_place.js";
 import { planPicture } from "../../plan/plan_svg.js";
 import { poseAt, trajectoryOf } from "../../plan/replay_plan.js";
 import { h } from "../../preact.js";
 import { t } from "../../texts.js";
 import { number } from "../../widgets/format.js";
 import { Made } from "../../widgets/made.js";
-import { ChartPlace } from "./chart_place.js";
 import { PlayBar } from "./play_bar.js";
 import { placeOf } from "./play_head.js";
 

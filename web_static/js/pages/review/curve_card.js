@@ -4,13 +4,13 @@
  * @import { CurveModel, LearningCurve } from "types/documents"
  * @import { PathReview } from "./store.js"
  */
+import { ChartPlace } from "../../charts/chart_place.js";
 import { curveChart } from "../../charts/curve_chart.js";
 import { h, useSignal } from "../../preact.js";
 import { GroupMark } from "../../results/source_group.js";
 import { t } from "../../texts.js";
 import { Segments } from "../../widgets/fields.js";
 import { number } from "../../widgets/format.js";
-import { ChartPlace } from "./chart_place.js";
 
 /** Of a measure that no trial has. @type {LearningCurve} */
 const NO_CURVE = { text: "", sessions: null, details: [], fit: null, form: null, others: [] };

@@ -2,6 +2,7 @@
  * The quality of control over trials: a figure to choose, for all joints or one, and what to look at.
  * @import { QualityView } from "types/api"
  */
+import { ChartPlace } from "../../charts/chart_place.js";
 import { qualityChart } from "../../charts/quality_chart.js";
 import { Fragment, h, useSignal } from "../../preact.js";
 import { ControlWarnings } from "../../results/control_warnings.js";
@@ -10,7 +11,6 @@ import { GroupMark } from "../../results/source_group.js";
 import { t } from "../../texts.js";
 import { Field, Selection } from "../../widgets/fields.js";
 import { jointLabel } from "../../widgets/joint_words.js";
-import { ChartPlace } from "./chart_place.js";
 
 const OF_ALL = ["map_angle_deg", "evr", "null_space_share", "cross_talk", "activations_per_metre", "activations"];
 const ALL = "";

@@ -1,11 +1,14 @@
 /**
  * Review: how a measure went over trials, all trajectories over the path, and every trial.
  * @import { App } from "../../main.js"
- * @import { PatientView } from "types/api"
+ * @import { InterfaceTestsView, PatientView } from "types/api"
+ * @import { ReadonlySignal } from "../../preact.js"
  * @import { PathReview, ReviewStore } from "./store.js"
+ * @typedef {ReadonlySignal<InterfaceTestsView | null>} Tests before driving, which there may be without a trial
  */
+import { ChartPlace } from "../../charts/chart_place.js";
 import { trajectoriesChart } from "../../charts/trajectories_chart.js";
-import { testsPlace } from "../../interface_test/interface_tests.js";
+import { PatientTests, patientTests } from "../../interface_test/interface_tests.js";
 import { drawPage, Fragment, h } from "../../preact.js";
 import { nameOf } from "../../results/measures.js";
 import { ReportCard } from "../../results/report_choice.js";
@@ -14,8 +17,6 @@ import { unreadComments } from "../../results/unread_marks.js";
 import { emptyPage } from "../../shell/nobody.js";
 import { t } from "../../texts.js";
 import { Field, Selection } from "../../widgets/fields.js";
-import { Made } from "../../widgets/made.js";
-import { ChartPlace } from "./chart_place.js";
 import { CurveCard } from "./curve_card.js";
 import { inOrder, pathWords } from "./path_choice.js";
 import { QualitySection } from "./quality_section.js";
@@ -44,7 +45,7 @@ export async function show(app, root, { signal: left, rest }) {
   ]);
   if (left.aborted) return;
   app.setSubject({ code: patient.code, sessions: [] });
-  const tests = testsPlace(app, patient.id, left); // read once, also when another path is chosen
+  const tests = patientTests(app, patient.id, left); // read once, also when another path is chosen
   if (!first.length) {
     followTrials(app, patient.id, first, left, () => app.show());
     return drawPage(root, h(NoTrials, { app, left, patients, patient, tests }), "body empty");
@@ -65,10 +66,7 @@ function PatientChoice({ app, patients, patient }) {
   return h(Field, { label: t("review-patient") }, choice);
 }
 
-/**
- * @param {{app: App, left: AbortSignal, patients: PatientView[], patient: PatientView, tests: HTMLElement}} page
- *   tests: before driving, which there may be without a trial
- */
+/** @param {{app: App, left: AbortSignal, patients: PatientView[], patient: PatientView, tests: Tests}} page */
 function NoTrials({ app, left, patients, patient, tests }) {
   return h(
     Fragment,
@@ -77,14 +75,15 @@ function NoTrials({ app, left, patients, patient, tests }) {
     h("p", { class: "lead" }, t("review-none-lead")),
     app.me?.role !== "reviewer" && h("a", { class: "btn go large", href: "#/drive" }, t("review-none-go")),
     patients.length > 1 && h("div", { class: "other-patient" }, h(PatientChoice, { app, patients, patient })),
-    h(Made, { left, make: () => tests }),
+    h(PatientTests, { app, left, tests }),
   );
 }
 
-/** @param {{store: ReviewStore, tests: HTMLElement}} page */
+/** @param {{store: ReviewStore, tests: Tests}} page */
 function Page({ store, tests }) {
   const { app, left, patients, patient } = store;
   const review = store.review.value;
+  const read = review === "reading" ? null : review;
   return h(
     Fragment,
     {},
@@ -101,13 +100,12 @@ function Page({ store, tests }) {
       "div",
       { class: "stack" },
       review === "reading" && h("p", { class: "quiet", role: "status" }, t("loading")),
-      review !== "reading" &&
-        review && [
-          h(PathResults, { key: "results", store, review }),
-          h(TrialList, { key: "trials", store, learning: review.learning }),
-          h(Made, { key: "tests", left, make: () => tests }),
-          h(ReportCard, { key: "report", app, patient }),
-        ],
+      read && [
+        h(PathResults, { key: "results", store, review: read }),
+        h(TrialList, { key: "trials", store, learning: read.learning }),
+      ],
+      h(PatientTests, { app, left, tests, isHidden: !read }), // what was opened on it stays open
+      read && h(ReportCard, { app, patient }),
     ),
   );
 }

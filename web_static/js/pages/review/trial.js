@@ -6,11 +6,10 @@
  */
 import { failureWords } from "../../api.js";
 import { replayPlan } from "../../plan/replay_plan.js";
-import { h, render } from "../../preact.js";
+import { h } from "../../preact.js";
 import { readTrial, showTrialOver } from "../../results/trial_over.js";
 import { emptyPage } from "../../shell/nobody.js";
 import { t } from "../../texts.js";
-import { h as element } from "../../widgets/dom.js";
 import { Made } from "../../widgets/made.js";
 import { CommentMarks, CommentsCard, commentStore } from "./comments_card.js";
 import { EventList, PlayBar, playKeys } from "./play_bar.js";
@@ -38,15 +37,13 @@ export async function show(app, root, { signal: left, rest: [patient, , id] }) {
   ]);
   if (left.aborted) return;
   const store = commentStore(app, trial.id, comments, left);
-  const above = element("div");
-  if (line) {
-    const head = new PlayHead(Number(line.t[0]), Number(line.t.at(-1)), left);
-    const plan = line.floorplan ?? read.plan;
-    render(h(Replay, { app, left, trial, plan, line, head, store }), above);
-    playKeys(root, head, left);
-  } else render(h(WithoutReplay, { why, store }), above);
-  const back = () => [element("a", { class: "btn", href: `#/review/${patient}` }, t("review-back"))];
-  showTrialOver(app, root, read, back, above);
+  const actions = () => h("a", { class: "btn", href: `#/review/${patient}` }, t("review-back"));
+  if (!line) return showTrialOver(app, root, read, { left, actions, above: h(WithoutReplay, { why, store }) });
+  const head = new PlayHead(Number(line.t[0]), Number(line.t.at(-1)), left);
+  const plan = line.floorplan ?? read.plan;
+  const above = h(Replay, { app, left, trial, plan, line, head, store });
+  showTrialOver(app, root, read, { left, actions, above });
+  playKeys(root, head, left);
 }
 
 /** Why there is no replay, and the comments, when there are some. @param {{why: string, store: CommentStore}} page */

@@ -7,9 +7,9 @@ import { focusFirst, h, useLayoutEffect, useRef, useSignal } from "../../preact.
 import { t } from "../../texts.js";
 import { day, number } from "../../widgets/format.js";
 import { Icon } from "../../widgets/icons.js";
-import { Made, useUntilGone } from "../../widgets/made.js";
+import { useUntilGone } from "../../widgets/made.js";
 import { PairForm } from "./pair_form.js";
-import { pairedCard } from "../../widgets/one_time_key.js";
+import { PairedCard } from "../../widgets/one_time_key.js";
 
 /**
  * @param {{app: import("../../main.js").App, first: ChairsView, isOwner: boolean, left: AbortSignal}} card
@@ -47,7 +47,7 @@ export function ChairsCard({ app, first, isOwner, left }) {
   };
   const below = () => {
     if (opened.value === "form") return h(PairForm, { app, onPaired: showKey, onClose: close });
-    if (opened.value) return h(Key, { app, left, ...opened.value, onDone: close });
+    if (opened.value) return h(Key, { app, ...opened.value, onDone: close });
     return (
       isOwner &&
       h(
@@ -117,16 +117,15 @@ function factsOf({ speeds, key_id: key, paired }) {
 
 /**
  * The key of a chair, which is shown this once.
- * @param {{app: import("../../main.js").App, left: AbortSignal, answer: PairedView, chair: Required<NewChair>,
- *   onDone: () => void}} key
+ * @param {{app: import("../../main.js").App, answer: PairedView, chair: Required<NewChair>, onDone: () => void}} key
  */
-function Key({ app, left, answer, chair, onDone }) {
+function Key(key) {
   const place = useRef(/** @type {HTMLDivElement | null} */ (null));
   useLayoutEffect(() => {
     place.current?.querySelector("h2")?.focus();
     place.current?.scrollIntoView({ block: "nearest" });
   }, []);
-  return h("div", { ref: place }, h(Made, { left, make: () => pairedCard(app, answer, chair, onDone) }));
+  return h("div", { ref: place }, h(PairedCard, key));
 }
 
 /** @param {string} name of a chair @param {() => unknown} onUnpair @param {() => unknown} onClose */

@@ -1,12 +1,13 @@
 /**
  * The clinic's limits: what its owner allows, and clinicians move inside.
  * @import { Speeds } from "types/api"
+ * @import { Fact } from "../../widgets/fact_list.js"
  */
 import { failureWords } from "../../api.js";
 import { h, useRef, useSignal } from "../../preact.js";
 import { t } from "../../texts.js";
-import { facts } from "../../widgets/facts.js";
-import { Made, useUntilGone } from "../../widgets/made.js";
+import { FactList } from "../../widgets/fact_list.js";
+import { useUntilGone } from "../../widgets/made.js";
 import { SpeedRows, SPEEDS, speedWords } from "../../widgets/speed_rows.js";
 
 const REST = 500; // ms without another change, then it is sent
@@ -54,13 +55,11 @@ export function LimitsCard({ app, first, isOwner, left }) {
     h("p", { class: "problem", role: "alert" }, problem),
     isOwner
       ? h(SpeedRows, { speeds: wishes.value, hasNumbers: true, onChange: change })
-      : h(Made, { left, make: () => inWords(first) }),
+      : h(FactList, { facts: inWords(first) }),
   );
 }
 
-/** @param {Speeds} clinic */
+/** @param {Speeds} clinic @returns {Fact[]} */
 function inWords(clinic) {
-  const list = facts(SPEEDS.map(({ name }) => `speed-${name}`));
-  for (const speed of SPEEDS) list.write(`speed-${speed.name}`, speedWords(speed, clinic[speed.name]));
-  return list.element;
+  return SPEEDS.map((speed) => [t(`speed-${speed.name}`), speedWords(speed, clinic[speed.name])]);
 }

@@ -1,11 +1,10 @@
 /** Settings: what the owner allows here, and the chairs and screens that are paired. Others see them, and change nothing. */
 import { ChairsCard } from "./chairs_card.js";
 import { drawPage, Fragment, h } from "../../preact.js";
-import { languageChoice } from "../../widgets/language_choice.js";
+import { LanguageChoice, languagesOf } from "../../widgets/language_choice.js";
 import { LimitsCard } from "./limits_card.js";
-import { Made } from "../../widgets/made.js";
 import { PasswordCard } from "./password_card.js";
-import { patientScreenCard } from "../../widgets/patient_screen_card.js";
+import { PatientScreenCard, screenStore } from "../../widgets/patient_screen_card.js";
 import { PriorCard } from "./prior_card.js";
 import { t } from "../../texts.js";
 import { TabletsCard } from "./tablets_card.js";
@@ -17,7 +16,7 @@ export async function show(app, root, { signal: left }) {
     app.api.get("/limits"),
     app.api.get("/chairs"),
     app.api.get("/clinic-prior"),
-    role !== "reviewer" && patientScreenCard(app, left),
+    role !== "reviewer" && screenStore(app, left),
   ]);
   if (left.aborted) return;
   const isOwner = role === "owner";
@@ -26,14 +25,14 @@ export async function show(app, root, { signal: left }) {
     { class: "stack" },
     h(ChairsCard, { app, first: chairs, isOwner, left }),
     h(TabletsCard, { app, left }),
-    screens && h(Made, { left, make: () => screens }),
+    screens && h(PatientScreenCard, { store: screens }),
     role !== "reviewer" && h(PriorCard, { app, first: prior, isOwner }),
     role !== "reviewer" && linkedCard("plans-settings-lead", "plans-settings", "#/plans", "plans-link"),
     isOwner && linkedCard("people-settings-lead", "rail-people", "#/people", "people-settings-go"),
     isOwner && linkedCard("log-lead", "rail-log", "#/log", "log-settings-go"),
     isOwner && linkedCard("computer-lead", "rail-computer", "#/computer", "computer-settings-go"),
     isOwner && linkedCard("backup-lead", "rail-backup", "#/backup", "backup-settings-go"),
-    languageCard(app, left),
+    languagesOf(app).length > 0 && languageCard(app),
     !app.me?.demo && h(PasswordCard, { app }),
   );
   drawPage(
@@ -48,18 +47,14 @@ export async function show(app, root, { signal: left }) {
   );
 }
 
-/** @param {import("../../main.js").App} app @param {AbortSignal} left */
-function languageCard(app, left) {
-  const choice = languageChoice(app);
-  return (
-    choice &&
-    h(
-      "section",
-      { class: "card" },
-      h("h2", {}, t("language-title")),
-      h("p", { class: "quiet small" }, t("language-lead")),
-      h(Made, { left, make: () => choice }),
-    )
+/** @param {import("../../main.js").App} app */
+function languageCard(app) {
+  return h(
+    "section",
+    { class: "card" },
+    h("h2", {}, t("language-title")),
+    h("p", { class: "quiet small" }, t("language-lead")),
+    h(LanguageChoice, { app }),
   );
 }
 

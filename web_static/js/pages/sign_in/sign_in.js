@@ -1,60 +1,40 @@
 /** Signing in by name and password. */
 import { textLimits } from "../../reference.js";
-import { h, put, set, write } from "../../widgets/dom.js";
-import { field } from "../../widgets/fields.js";
-import { passwordField } from "../../shell/password_field.js";
-import { failureWords } from "../../api.js";
-import { languageChoice } from "../../widgets/language_choice.js";
+import { drawPage, Fragment, h } from "../../preact.js";
+import { DoorForm } from "../../shell/door_form.js";
+import { PasswordField } from "../../shell/password_field.js";
 import { t } from "../../texts.js";
+import { Field } from "../../widgets/fields.js";
+import { LanguageChoice } from "../../widgets/language_choice.js";
 
 /** @param {import("../../main.js").App} app @param {HTMLElement} root */
 export async function show(app, root) {
+  /** @param {Record<string, string>} typed */
+  const send = async ({ name, password }) =>
+    app.signedIn(await app.api.post("/auth/sign-in", { name: name.trim(), password }));
   const name = h("input", {
     type: "text",
+    name: "name",
     autocomplete: "username",
     required: true,
     ...textLimits("Credentials", "name"),
   });
-  const password = h("input", { type: "password", autocomplete: "current-password", required: true });
-  const problem = h("p", { class: "problem", role: "alert" });
-  const go = h("button", { class: "btn go large" }, t("sign-in-go"));
-  const waiting = h("p", { class: "quiet", role: "status" });
-  /** @param {boolean} is */
-  const wait = (is) => {
-    set(go, { "aria-disabled": is });
-    write(waiting, is ? t("loading") : "");
-  };
-  /** @param {SubmitEvent} event */
-  const submit = async (event) => {
-    event.preventDefault();
-    if (go.getAttribute("aria-disabled") === "true") return;
-    problem.textContent = "";
-    wait(true); // the password's hash alone takes a moment
-    try {
-      await app.signedIn(await app.api.post("/auth/sign-in", { name: name.value.trim(), password: password.value }));
-    } catch (error) {
-      problem.textContent = failureWords(error);
-      wait(false);
-    }
-  };
   const form = h(
-    "form",
-    { class: "stack", onsubmit: submit },
-    field(t("sign-in-name"), name),
-    passwordField(t("sign-in-password"), password),
-    problem,
-    go,
-    waiting,
+    DoorForm,
+    { action: t("sign-in-go"), send, hasStatus: true },
+    h(Field, { label: t("sign-in-name") }, name),
+    h(PasswordField, { label: t("sign-in-password"), autocomplete: "current-password" }),
   );
-  put(
+  drawPage(
     root,
     h(
-      "div",
-      { class: "door card" },
-      h("h1", { tabindex: "-1" }, t("sign-in-title")),
+      Fragment,
+      {},
+      h("h1", { tabindex: -1 }, t("sign-in-title")),
       h("p", { class: "lead" }, t("sign-in-lead")),
       app.me?.demo ? h("p", {}, t("sign-in-demo")) : [form, h("p", { class: "quiet small" }, t("sign-in-invited"))],
-      languageChoice(app),
+      h(LanguageChoice, { app }),
     ),
+    "door card",
   );
 }

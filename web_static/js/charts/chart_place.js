@@ -1,10 +1,10 @@
 /** A place for a chart, which comes when what draws it was loaded. */
-import { failureWords } from "../../api.js";
-import { h, useLayoutEffect, useRef, useSignal } from "../../preact.js";
+import { failureWords } from "../api.js";
+import { h, useLayoutEffect, useRef, useSignal } from "../preact.js";
 
 /**
  * @param {object} place
- * @param {import("../../main.js").App} place.app @param {AbortSignal} place.left
+ * @param {import("../main.js").App} place.app @param {AbortSignal} place.left
  * @param {unknown[]} place.of what the chart shows: it is drawn again when one of these changes
  * @param {(until: AbortSignal) => Promise<Node>} place.make
  */

@@ -1,7 +1,7 @@
 /** A list of facts: what it is at the left, how it stands at the right, with a remark below. */
-import { h } from "../../preact.js";
+import { h } from "../preact.js";
 
-/** @typedef {[name: string, value: import("../../preact.js").ComponentChildren, remark?: string]} Fact */
+/** @typedef {[name: string, value: import("../preact.js").ComponentChildren, remark?: string]} Fact */
 
 /** @param {{facts: Fact[]}} list */
 export function FactList({ facts }) {
