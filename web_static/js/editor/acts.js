@@ -6,6 +6,8 @@ import { erase, placeChosen } from "./tools.js";
 const WALL_REACH = 1; // m from a wall within which the numbers of a door may place it
 
 /**
+ * @typedef {import("../plan/floor_plan.js").Point} Point
+ * @typedef {import("./document.js").Fields} Fields
  * @typedef {import("./document.js").Plan} Plan
  * @typedef {import("./document.js").Ref} Ref
  * @typedef {import("./tools.js").State} State
@@ -13,9 +15,23 @@ const WALL_REACH = 1; // m from a wall within which the numbers of a door may pl
  */
 
 /**
+ * @typedef {object} Acts what the form does to the plan
+ * @property {(fields: Fields) => void} change fields of the chosen item
+ * @property {(points: Point[]) => void} points of the chosen item
+ * @property {(fields: Fields) => void} plan null leaves a field as it is
+ * @property {(ref: Ref | null) => void} choose
+ * @property {() => void} erase the chosen item
+ * @property {() => void} place the chosen item by the next tap
+ * @property {(width: number | null) => void} door its width in m
+ * @property {() => void} insert a point
+ * @property {() => void} drop the chosen point
+ * @property {(file: File) => void} model upload a 3D model
+ */
+
+/**
  * @param {() => State} now @param {(next: NextState) => void} take a step
  * @param {(next: State) => void} become another state, which is no step
- * @returns {Omit<import("./form.js").Acts, "model">}
+ * @returns {Omit<Acts, "model">}
  */
 export function actsOn(now, take, become) {
   /** @param {{plan: Plan, ref: Ref, problem?: import("./doors.js").DoorProblem}} change */

@@ -1,5 +1,5 @@
 /** The plan as a picture on a grid. */
-import { h, put, s, set } from "../widgets/dom.js";
+import { put, s, set } from "../widgets/dom.js";
 import { number } from "../widgets/format.js";
 import { t } from "../texts.js";
 import { fieldsOf, itemOf, pointsOf } from "./document.js";
@@ -220,9 +220,4 @@ function labels({ plan, pending, chosen, ghost }, view, size) {
     drawn.length > 2 &&
       at(drawn[drawn.length - 1], t("editor-whole", { value: number(lengthOf(drawn), 2) }), "length whole"),
   ];
-}
-
-/** The number of points and the length of a line in words. @param {Point[]} pending */
-export function lineWords(pending) {
-  return h("span", {}, t("editor-drawn", { count: pending.length, length: number(lengthOf(pending), 2) }));
 }

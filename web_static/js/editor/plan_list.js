@@ -1,11 +1,12 @@
 /** The first page of the editor: a new plan, the clinic's own plans, the plans that come with the software, an import. */
-import { h, onEscape, put } from "../widgets/dom.js";
-import { icon } from "../widgets/icons.js";
-import { replacedList } from "../widgets/replaced_list.js";
+import { drawPage, Fragment, h, signal } from "../preact.js";
 import { t } from "../texts.js";
+import { Icon } from "../widgets/icons.js";
+import { replacedList } from "../widgets/replaced_list.js";
+import { Answer, AskCard } from "./ask_card.js";
 import { emptyPlan } from "./document.js";
 import { storeDraft, readDraft } from "./draft_store.js";
-import { importForm } from "./import_form.js";
+import { ImportForm } from "./import_form.js";
 
 const EDIT = "#/plans/edit";
 
@@ -14,60 +15,34 @@ const EDIT = "#/plans/edit";
  * @typedef {import("types/api").FloorPlanView} FloorPlanView
  * @typedef {import("types/api").OwnPlanView} OwnPlanView
  * @typedef {() => Draft | Promise<Draft>} Source where a draft comes from
+ * @typedef {{title: string, source: Source, before: HTMLElement | null}} Asked the title of the draft that was not saved,
+ *   where another one comes from, and what had the focus
  */
 
 /** @param {import("../main.js").App} app @param {HTMLElement} root @param {{plans: FloorPlanView[], own: OwnPlanView[]}} lists */
-export function showPlanList(app, root, { plans, own }) {
-  const mine = h("div", { class: "plan-rows" });
-  /** @param {OwnPlanView[]} list */
-  const show = (list) => {
-    put(mine, list.length ? list.map(ownRow) : h("p", { class: "quiet" }, t("plans-none")));
-  };
+export function showPlanList(app, root, { plans, own: first }) {
+  const own = signal(first);
+  const asked = signal(/** @type {Asked | null} */ (null));
+  const kept = readDraft();
+  const bundled = plans.filter(({ name }) => !first.some((one) => one.name === name));
+  const readOwn = async () => void (own.value = await app.api.get("/own-floorplans"));
+  const { ReplacedList } = replacedList(app, ["floorplan", "model"], readOwn);
   /** @param {Draft} draft */
   const open = (draft) => {
     if (storeDraft(draft)) return app.go(EDIT);
     app.toasts.show(t("plans-too-large"));
     app.go(EDIT);
   };
-  /** Open a draft; ask first when it would replace one that was not saved. @param {Source} source */
-  const openSafely = (source) => async () => {
-    const unsaved = readDraft();
-    if (unsaved?.dirty && !ask.hidden) return;
-    if (unsaved?.dirty) return askFirst(unsaved, source);
-    await openFrom(source);
-  };
   /** @param {Source} source */
   const openFrom = (source) => app.toasts.attempt(async () => open(await source()));
-  const ask = h("div", {
-    class: "card ask",
-    role: "alertdialog",
-    "aria-labelledby": "unsaved-plan",
-    hidden: true,
-    tabindex: "-1",
-  });
-  /** @param {Draft} unsaved @param {Source} source */
-  const askFirst = (unsaved, source) => {
-    const before = /** @type {HTMLElement | null} */ (document.activeElement);
-    const close = () => {
-      ask.hidden = true;
-      before?.focus();
-    };
-    put(
-      ask,
-      h("h2", { id: "unsaved-plan" }, t("plans-unsaved-title", { title: unsaved.document.title })),
-      h("p", {}, t("plans-unsaved-lead")),
-      h(
-        "div",
-        { class: "spread" },
-        h("button", { type: "button", class: "btn go", onclick: () => app.go(EDIT) }, t("plans-go-on")),
-        h("button", { type: "button", class: "btn", onclick: () => openFrom(source) }, t("plans-throw")),
-        h("button", { type: "button", class: "btn", onclick: close }, t("cancel")),
-      ),
-    );
-    onEscape(ask, close);
-    ask.hidden = false;
-    ask.scrollIntoView({ block: "nearest" });
-    ask.focus();
+  /** Open a draft; ask first when it would replace one that was not saved. @param {Source} source */
+  const openSafely = async (source) => {
+    const unsaved = readDraft();
+    if (!unsaved?.dirty) await openFrom(source);
+    else if (!asked.value) {
+      const before = /** @type {HTMLElement | null} */ (document.activeElement);
+      asked.value = { title: unsaved.document.title, source, before };
+    }
   };
   /** @returns {Draft} */
   const newDraft = () => ({ document: emptyPlan(t("plans-new-title")), name: null, version: 0, dirty: false });
@@ -88,90 +63,69 @@ export function showPlanList(app, root, { plans, own }) {
       dirty: true,
     };
   };
-  /** @param {OwnPlanView} plan */
-  const remove = (plan) =>
-    app.toasts.attempt(async () => {
-      show(await app.api.remove(`/floorplans/${plan.name}`));
-      const restore = async () => show(await app.api.post(`/floorplans/${plan.name}/restore`));
-      app.toasts.show(t("plans-deleted", { title: plan.title }), {
-        action: t("undo"),
-        run: () => app.toasts.attempt(restore),
-      });
-    });
-  /** @param {OwnPlanView} plan */
-  function ownRow(plan) {
-    return h(
-      "div",
-      { class: "card plan-row" },
-      h(
-        "div",
-        { class: "grow" },
-        h("b", {}, plan.title),
-        h("span", { class: "quiet small" }, t("plans-version", { name: plan.name, version: plan.version })),
-      ),
-      h(
-        "button",
-        {
-          type: "button",
-          class: "btn small",
-          "aria-label": t("plans-open-label", { title: plan.title }),
-          onclick: openSafely(ofOwn(plan)),
-        },
-        t("plans-open"),
-      ),
-      h(
-        "button",
-        {
-          type: "button",
-          class: "btn small bare",
-          "aria-label": t("plans-delete-label", { title: plan.title }),
-          onclick: () => remove(plan),
-        },
-        icon("bin"),
-      ),
-    );
-  }
-  /** @param {FloorPlanView} plan */
-  const copyRow = (plan) =>
-    h(
-      "div",
-      { class: "card plan-row" },
-      h("div", { class: "grow" }, h("b", {}, plan.title)),
-      h(
-        "button",
-        {
-          type: "button",
-          class: "btn small",
-          "aria-label": t("plans-open-copy-label", { title: plan.title }),
-          onclick: openSafely(copyOf(plan)),
-        },
-        t("plans-open-copy"),
-      ),
-    );
-  const unsaved = readDraft();
-  const replaced = replacedList(app, ["floorplan", "model"], async () => show(await app.api.get("/own-floorplans")));
-  show(own);
   /** @param {import("types/api").DraftView} imported */
   const openImport = (imported) =>
     openSafely(() => {
       app.toasts.show(imported.messages.join(" "));
       const document = /** @type {Draft["document"]} */ (imported.document); // the API does not describe its fields
       return { document, name: null, version: 0, dirty: true };
-    })();
-  put(
-    root,
+    });
+  /** @param {OwnPlanView} plan */
+  const remove = (plan) =>
+    app.toasts.attempt(async () => {
+      own.value = await app.api.remove(`/floorplans/${plan.name}`);
+      const restore = async () => void (own.value = await app.api.post(`/floorplans/${plan.name}/restore`));
+      app.toasts.show(t("plans-deleted", { title: plan.title }), {
+        action: t("undo"),
+        run: () => app.toasts.attempt(restore),
+      });
+    });
+
+  const Ask = () => {
+    const now = asked.value;
+    if (!now) return null;
+    const close = () => {
+      asked.value = null;
+      now.before?.focus();
+    };
+    return h(
+      AskCard,
+      {
+        asked: now,
+        id: "unsaved-plan",
+        title: t("plans-unsaved-title", { title: now.title }),
+        lead: t("plans-unsaved-lead"),
+        onClose: close,
+      },
+      h(Answer, { words: t("plans-go-on"), kind: "btn go", onClick: () => app.go(EDIT) }),
+      h(Answer, { words: t("plans-throw"), onClick: () => openFrom(now.source) }),
+      h(Answer, { words: t("cancel"), onClick: close }),
+    );
+  };
+  const OwnPlans = () =>
     h(
       "div",
-      { class: "body" },
-      h("h1", { tabindex: "-1" }, t("plans-title")),
+      { class: "plan-rows" },
+      own.value.map((plan) =>
+        h(OwnRow, { key: plan.name, plan, onOpen: () => openSafely(ofOwn(plan)), onRemove: remove }),
+      ),
+      !own.value.length && h("p", { class: "quiet" }, t("plans-none")),
+    );
+
+  drawPage(
+    root,
+    h(
+      Fragment,
+      {},
+      h("h1", { tabindex: -1 }, t("plans-title")),
       h("p", { class: "lead" }, t("plans-lead")),
-      unsaved?.dirty &&
+      kept?.dirty &&
         h(
           "p",
           { class: "kept" },
-          h("a", { class: "btn go", href: EDIT }, t("plans-kept", { title: unsaved.document.title })),
+          h("a", { class: "btn go", href: EDIT }, t("plans-kept", { title: kept.document.title })),
         ),
-      ask,
+      h(Ask, {}),
       h(
         "div",
         { class: "plans-columns" },
@@ -184,13 +138,13 @@ export function showPlanList(app, root, { plans, own }) {
             {},
             h(
               "button",
-              { type: "button", class: "btn go", onclick: openSafely(newDraft) },
-              icon("plus"),
+              { type: "button", class: "btn go", onClick: () => openSafely(newDraft) },
+              h(Icon, { name: "plus" }),
               t("plans-new"),
             ),
           ),
-          mine,
-          replaced.element,
+          h(OwnPlans, {}),
+          h(ReplacedList, {}),
           h(
             "details",
             {},
@@ -198,12 +152,56 @@ export function showPlanList(app, root, { plans, own }) {
             h(
               "div",
               { class: "plan-rows" },
-              plans.filter(({ name }) => !own.some((one) => one.name === name)).map(copyRow),
+              bundled.map((plan) => h(CopyRow, { key: plan.name, plan, onOpen: () => openSafely(copyOf(plan)) })),
             ),
           ),
         ),
-        importForm(app, openImport),
+        h(ImportForm, { app, onOpen: openImport }),
       ),
+    ),
+  );
+}
+
+/** @param {{plan: OwnPlanView, onOpen: () => unknown, onRemove: (plan: OwnPlanView) => unknown}} row */
+function OwnRow({ plan, onOpen, onRemove }) {
+  const { name, title, version } = plan;
+  return h(
+    "div",
+    { class: "card plan-row" },
+    h(
+      "div",
+      { class: "grow" },
+      h("b", {}, title),
+      h("span", { class: "quiet small" }, t("plans-version", { name, version })),
+    ),
+    h(
+      "button",
+      { type: "button", class: "btn small", "aria-label": t("plans-open-label", { title }), onClick: onOpen },
+      t("plans-open"),
+    ),
+    h(
+      "button",
+      {
+        type: "button",
+        class: "btn small bare",
+        "aria-label": t("plans-delete-label", { title }),
+        onClick: () => onRemove(plan),
+      },
+      h(Icon, { name: "bin" }),
+    ),
+  );
+}
+
+/** @param {{plan: FloorPlanView, onOpen: () => unknown}} row */
+function CopyRow({ plan: { title }, onOpen }) {
+  return h(
+    "div",
+    { class: "card plan-row" },
+    h("div", { class: "grow" }, h("b", {}, title)),
+    h(
+      "button",
+      { type: "button", class: "btn small", "aria-label": t("plans-open-copy-label", { title }), onClick: onOpen },
+      t("plans-open-copy"),
     ),
   );
 }

@@ -1,5 +1,5 @@
 /** Buttons that zoom and pan the drawing, and show all of it: for people without touch or wheel. */
-import { h } from "../widgets/dom.js";
+import { h } from "../preact.js";
 import { t } from "../texts.js";
 import { panView, zoomView } from "./viewport.js";
 
@@ -11,11 +11,11 @@ const PAN = 90; // px of one tap on an arrow
  * @typedef {(view: View, size: import("./viewport.js").Size) => View} ViewChange
  */
 
-/** @param {(change: ViewChange) => void} look @param {() => void} showAll */
-export function viewButtons(look, showAll) {
-  /** @param {string} name @param {string} words @param {() => void} onclick */
-  const button = (name, words, onclick) =>
-    h("button", { type: "button", class: "btn small", "aria-label": t(`editor-${name}`), onclick }, words);
+/** @param {{look: (change: ViewChange) => void, showAll: () => void}} buttons */
+export function ViewButtons({ look, showAll }) {
+  /** @param {string} name @param {string} words @param {() => void} onClick */
+  const button = (name, words, onClick) =>
+    h("button", { type: "button", class: "btn small", "aria-label": t(`editor-${name}`), onClick }, words);
   /** @param {number} dx px @param {number} dy px */
   const pan = (dx, dy) => () => look((view) => panView(view, dx, dy));
   /** @param {number} factor */

@@ -243,19 +243,6 @@ export function Toggle({ label, on, onChange }) {
 }
 
 /**
- * An input for one file that is not seen: a button beside it opens the browser's dialog by `input.click()`.
- * @param {string} accept @param {(file: File) => unknown} onFile called with each file that is chosen
- */
-export function hiddenFileInput(accept, onFile) {
-  const input = h("input", { type: "file", accept, class: "unseen", tabindex: "-1", "aria-hidden": "true" });
-  input.addEventListener("change", () => {
-    const file = input.files?.[0];
-    if (file) onFile(file);
-  });
-  return input;
-}
-
-/**
  * A number between − and +; holding a button goes on.
  * @param {{label: string, value: number, low: number, high: number, step: number, digits: number, unit: string, onChange: (value: number) => void}} options
  */

@@ -2,23 +2,21 @@
  * What was replaced in the last 30 days, each with a button that puts it back under a free name.
  * @import { ReplacedView } from "types/api"
  */
-import { Fragment, h, render, signal } from "../preact.js";
+import { h, signal } from "../preact.js";
 import { REFERENCE } from "../reference.js";
 import { t } from "../texts.js";
 import { day } from "./format.js";
 
 /**
+ * The list, hidden while there is nothing, and what reads it again.
  * @param {import("../main.js").App} app
  * @param {string[]} kinds of those that are listed: file, model, floorplan
  * @param {() => unknown} onBack called after a file was put back
- * @returns {{element: HTMLElement, show: () => Promise<void>}} hidden while there is nothing
  */
 export function replacedList(app, kinds, onBack) {
   const list = signal(/** @type {ReplacedView[]} */ ([]));
-  const element = document.createElement("details");
-  const show = async () => {
+  const read = async () => {
     list.value = (await app.api.get("/replaced")).filter(({ kind }) => kinds.includes(kind));
-    element.hidden = !list.value.length;
   };
   /** @param {ReplacedView} one */
   const putBack = (one) =>
@@ -26,12 +24,12 @@ export function replacedList(app, kinds, onBack) {
       const { name } = await app.api.post(`/replaced/${one.kind}/${encodeURIComponent(one.id)}/restore`);
       app.toasts.show(t("replaced-back", { name }));
       await onBack();
-      await show();
+      await read();
     });
-  const Rows = () =>
+  const ReplacedList = () =>
     h(
-      Fragment,
-      {},
+      "details",
+      { hidden: !list.value.length },
       h("summary", {}, t("replaced-title", { days: REFERENCE.numbers.replaced_days })),
       h(
         "div",
@@ -39,10 +37,8 @@ export function replacedList(app, kinds, onBack) {
         list.value.map((one) => h(Row, { key: `${one.kind} ${one.id}`, one, onPutBack: () => putBack(one) })),
       ),
     );
-  element.hidden = true;
-  render(h(Rows, {}), element);
-  app.toasts.attempt(show);
-  return { element, show };
+  app.toasts.attempt(read);
+  return { ReplacedList, read };
 }
 
 /** @param {{one: ReplacedView, onPutBack: () => void}} row */

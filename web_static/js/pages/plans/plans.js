@@ -4,14 +4,14 @@ import { showPlanList } from "../../editor/plan_list.js";
 import { showPlan } from "../../editor/plan_page.js";
 
 /** @param {import("../../main.js").App} app @param {HTMLElement} root @param {{signal: AbortSignal, rest: string[]}} page */
-export async function show(app, root, { signal, rest }) {
+export async function show(app, root, { signal: left, rest }) {
   const draft = rest[0] === "edit" ? readDraft() : null;
   const { api } = app;
   if (draft) {
     const [plans, models] = await Promise.all([api.get("/floorplans"), api.get("/models")]);
-    if (!signal.aborted) showPlan(app, root, { draft, plans, models, signal });
+    if (!left.aborted) showPlan(app, root, { draft, plans, models, left });
   } else {
     const [plans, own] = await Promise.all([api.get("/floorplans"), api.get("/own-floorplans")]);
-    if (!signal.aborted) showPlanList(app, root, { plans, own });
+    if (!left.aborted) showPlanList(app, root, { plans, own });
   }
 }

@@ -90,7 +90,7 @@ function Cards({ store }) {
   const { name = "", joint = "" } = channels[index] ?? {};
   return h(
     "div",
-    { class: "stack", ref: store.appendReplaced },
+    { class: "stack" },
     index >= 0 &&
       h(SensorCard, {
         key: `${index} ${name}`,
@@ -102,6 +102,7 @@ function Cards({ store }) {
     h(SourceCard, { key: "source", store }),
     store.equipment.value.shirt?.kind === "simulator" && h(BodyCard, { key: "body", store }),
     h(HeadCard, { key: "head", store }),
+    h(store.ReplacedList, { key: "replaced" }),
   );
 }
 

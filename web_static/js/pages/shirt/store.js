@@ -38,7 +38,7 @@ export function shirtStore(app, first, kinds, left) {
   const take = (view) => {
     equipment.value = /** @type {Equipment} */ (view);
     setState(view.status.message);
-    app.toasts.attempt(replaced.show);
+    app.toasts.attempt(replaced.read);
   };
   /** @param {string} name of a channel @param {boolean} isUnused */
   const setUnused = async (name, isUnused) => {
@@ -60,9 +60,8 @@ export function shirtStore(app, first, kinds, left) {
     { signal: left },
   );
   app.addEventListener("equipment", ({ detail }) => take(detail), { signal: left });
-  /** A `ref` of what the list of replaced files stands in, at its end. @param {HTMLElement | null} place */
-  const appendReplaced = (place) => void place?.append(replaced.element);
-  return { app, left, kinds, equipment, live, state, picked, appendReplaced, take, setUnused };
+  const { ReplacedList } = replaced;
+  return { app, left, kinds, equipment, live, state, picked, ReplacedList, take, setUnused };
 }
 
 /** @param {string} words */
