@@ -11,6 +11,7 @@ import { LANGUAGE } from "./language.js";
 import { chooseLanguage } from "./widgets/language_choice.js";
 import { Lock } from "./shell/lock.js";
 import { focusAgain, keepFocus } from "./shell/focus_keeper.js";
+import { frameState } from "./shell/frame_state.js";
 import { haltFollower } from "./shell/halt.js";
 import { header } from "./shell/header.js";
 import { DEMO_LINK, INVITATION_LINK, takeCode } from "./shell/link_codes.js";
@@ -76,6 +77,8 @@ export class App extends TypedEvents {
   /** @type {{floorplan: string, path: string} | null} the trial that the drive page shall start */
   #trialRequest = null;
 
+  /** What header and rail follow. */
+  state = frameState(this);
   root = h("main", { class: "page", tabindex: "-1" });
   rail = rail(this);
   frame = h(

@@ -11,7 +11,7 @@ import { Fragment, h, render } from "../vendor/preact/preact.js";
 
 export { cloneElement, createRef, Fragment, h, render } from "../vendor/preact/preact.js";
 export { useLayoutEffect, useMemo, useRef, useState } from "../vendor/preact/hooks.js";
-export { computed, signal, useComputed, useSignal } from "../vendor/@preact/signals/signals.js";
+export { computed, effect, signal, useComputed, useSignal } from "../vendor/@preact/signals/signals.js";
 
 /**
  * Show a page in place of what was shown, in an element of its own.

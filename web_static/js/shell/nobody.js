@@ -1,19 +1,12 @@
 /** What a page shows while nobody is here: what to do next. */
+import { drawPage, Fragment, h } from "../preact.js";
 import { t } from "../texts.js";
-import { h, put } from "../widgets/dom.js";
 
 /** @param {HTMLElement} root @param {string} title @param {string} lead @param {string} hash @param {string} [action] none: there is nothing to do */
 export function emptyPage(root, title, lead, hash, action) {
-  put(
-    root,
-    h(
-      "div",
-      { class: "body empty" },
-      h("h1", { tabindex: "-1" }, title),
-      h("p", { class: "lead" }, lead),
-      action && h("a", { class: "btn go large", href: hash }, action),
-    ),
-  );
+  const way = action && h("a", { class: "btn go large", href: hash }, action);
+  const page = h(Fragment, {}, h("h1", { tabindex: -1 }, title), h("p", { class: "lead" }, lead), way);
+  drawPage(root, page, "body empty");
 }
 
 /**

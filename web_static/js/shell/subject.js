@@ -1,14 +1,17 @@
 /**
  * Whose data the page shows: the header and the title of the page name the patient and the session.
  * @import { App } from "../main.js"
+ * @import { FrameState } from "./frame_state.js"
  */
+import { Fragment, h } from "../preact.js";
 import { t } from "../texts.js";
-import { h, put } from "../widgets/dom.js";
 import { SESSION_PAGES } from "./other_session.js";
 
 /** @typedef {{code: string, sessions: number[]}} Subject `sessions`: numbers of those that the page shows; empty: all */
 
-/** The subject of the page: its own, or the open session. @param {App} app @returns {Subject | null} */
+/** @typedef {Pick<App, "subject" | "session">} Named what names the subject */
+
+/** The subject of the page: its own, or the open session. @param {Named} named @returns {Subject | null} */
 function subjectOf({ subject, session }) {
   if (subject) return subject;
   return session?.patient && session.session
@@ -16,7 +19,7 @@ function subjectOf({ subject, session }) {
     : null;
 }
 
-/** What is shown of the subject, in words. @param {App} app @param {Subject} subject */
+/** What is shown of the subject, in words. @param {Named} named @param {Subject} subject */
 function part({ session }, { code, sessions: [first, second] }) {
   if (first === undefined) return t("who-shown");
   if (second !== undefined && second !== first) return t("who-shown-two", { first, second });
@@ -24,19 +27,15 @@ function part({ session }, { code, sessions: [first, second] }) {
   return t(isOpen ? "who-open" : "who-shown-one", { number: first });
 }
 
-/** The place in the header. @param {App} app */
-export function subjectPlace(app) {
-  const element = h("span", { class: "who" });
-  const show = () => {
-    const subject = subjectOf(app);
-    element.hidden = !app.me?.signed_in;
-    if (app.lock.isLocked || !app.me?.signed_in) return put(element);
-    if (!subject) return put(element, t("who-nobody"));
-    put(element, h("b", {}, subject.code), " ", h("span", {}, part(app, subject)));
-  };
-  for (const event of /** @type {const} */ (["me", "session", "subject"])) app.addEventListener(event, show);
-  show();
-  return element;
+/** The place in the header; the lock names nobody. @param {{state: FrameState}} place */
+export function SubjectPlace({ state }) {
+  const named = { subject: state.subject.value, session: state.session.value };
+  const subject = subjectOf(named);
+  const isSignedIn = Boolean(state.me.value?.signed_in);
+  const words = subject
+    ? h(Fragment, {}, h("b", {}, subject.code), " ", h("span", {}, part(named, subject)))
+    : t("who-nobody");
+  return h("span", { class: "who", hidden: !isSignedIn }, isSignedIn && !state.isLocked.value && words);
 }
 
 /** The title of the page: the browser shows it in its list of tabs. @param {App} app */

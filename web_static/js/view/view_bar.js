@@ -1,10 +1,10 @@
 /** The choice of the view, in 3D or the drawn plan; the settings of the patient's eye; the pad of the free camera. */
-import { t } from "../texts.js";
-import { h } from "../widgets/dom.js";
-import { segments } from "../widgets/fields.js";
-import { freeCamera } from "./free_camera.js";
 import { newestWins } from "../live/newest_wins.js";
-import { viewSettings } from "./view_settings.js";
+import { Fragment, h, render, signal } from "../preact.js";
+import { t } from "../texts.js";
+import { Segments } from "../widgets/fields.js";
+import { freeCamera } from "./free_camera.js";
+import { chosenEye, shownEye, storeEye, ViewSettings } from "./view_settings.js";
 import { canDrawIn3d } from "./webgl.js";
 
 const VIEWS_IN_3D = /** @type {const} */ (["eye", "chase", "top", "free"]);
@@ -35,42 +35,53 @@ export function chooseView(view) {
  * @returns {{element: HTMLElement, pad: HTMLElement, choosePlan: () => void}} the bar, and the buttons that turn the free camera
  */
 export function viewBar(app, surface, onChoose) {
-  let view = chosenView();
+  const view = signal(chosenView());
+  const eye = signal(chosenEye());
   const free = freeCamera((place) => app.toasts.attempt(() => app.api.post("/view/clinician/free", place)), surface);
-  const settings = viewSettings(() => {
-    look();
-    sendPatients({ ...settings.eye });
-  });
   const send = newestWins(async (/** @type {import("types/api").CameraChoice} */ choice) => {
     const answer = await app.toasts.attempt(() => app.api.post("/view/clinician/camera", choice));
-    if (answer && choice.view === view) free.open(view === "free", answer.free);
+    if (answer && choice.view === view.value) free.open(view.value === "free", answer.free);
   }, SEND_EVERY);
-  const look = () => view !== "plan" && send({ view, ...settings.mine() });
   // The eye is the patient's: its settings also apply to the patient's own screen, which has no settings.
   const sendPatients = newestWins(
-    (/** @type {import("./view_settings.js").Eye} */ eye) =>
-      app.toasts.attempt(() => app.api.post("/view/patient/camera", eye)),
+    (/** @type {import("./view_settings.js").Eye} */ chosen) =>
+      app.toasts.attempt(() => app.api.post("/view/patient/camera", chosen)),
     SEND_EVERY,
   );
+  const look = () => {
+    const { value: name } = view;
+    if (name !== "plan") send({ view: name, ...shownEye(eye.value) });
+  };
   /** @param {string} name */
   const choose = (name) => {
-    view = viewNamed(name) ?? view;
-    chooseView(view);
+    const chosen = viewNamed(name);
+    if (!chosen || chosen === view.value) return;
+    view.value = chosen;
+    chooseView(chosen);
     free.open(false);
-    onChoose(view === "plan" ? "plan" : "view");
+    onChoose(chosen === "plan" ? "plan" : "view");
     look();
   };
+  /** @param {Partial<import("./view_settings.js").Eye>} change */
+  const changeEye = (change) => {
+    eye.value = { ...eye.value, ...change };
+    storeEye(eye.value);
+    look();
+    sendPatients(eye.value);
+  };
   look();
-  sendPatients({ ...settings.eye });
-  const views = segments(
-    t("trial-views"),
-    VIEWS.map((value) => ({ value, label: t(`trial-view-${value}`) })),
-    view,
-    choose,
-  );
-  /** @param {ViewName} name @returns {HTMLInputElement} */
-  const radio = (name) => /** @type {HTMLInputElement} */ (views.querySelector(`input[value="${name}"]`));
-  if (!canDrawIn3d()) for (const name of VIEWS_IN_3D) radio(name).disabled = name !== view;
-  const element = h("div", { class: "view-bar" }, views, settings.button, settings.panel);
-  return { element, pad: free.element, choosePlan: () => radio("plan").click() };
+  sendPatients(eye.value);
+  const disabled = canDrawIn3d() ? [] : VIEWS_IN_3D.filter((name) => name !== view.value);
+  const options = VIEWS.map((value) => ({ value, label: t(`trial-view-${value}`) }));
+  const Bar = () =>
+    h(
+      Fragment,
+      {},
+      h(Segments, { label: t("trial-views"), options, chosen: view.value, disabled, onChange: choose }),
+      h(ViewSettings, { eye: eye.value, onChange: changeEye }),
+    );
+  const element = document.createElement("div");
+  element.className = "view-bar";
+  render(h(Bar, {}), element);
+  return { element, pad: free.element, choosePlan: () => choose("plan") };
 }

@@ -1,9 +1,10 @@
 /** The settings of the patient's eye: field of view, eye height, comfort, head; stored in this browser. */
+import { Fragment, h, useState } from "../preact.js";
 import { limitsOf, REFERENCE } from "../reference.js";
 import { t } from "../texts.js";
-import { h } from "../widgets/dom.js";
-import { setting, stepper, toggle } from "../widgets/fields.js";
-import { icon } from "../widgets/icons.js";
+import { Toggle } from "../widgets/fields.js";
+import { Icon } from "../widgets/icons.js";
+import { Setting, Stepper } from "../widgets/setting.js";
 
 const STORAGE_KEY = "bodydrive-eye";
 /**
@@ -21,6 +22,15 @@ const usualEye = () => ({
 });
 const REDUCED = matchMedia("(prefers-reduced-motion: reduce)");
 
+/** The eye that was chosen in this browser. @returns {Eye} */
+export const chosenEye = () => ({ ...usualEye(), ...storedEye() });
+
+/** @param {Eye} eye */
+export const storeEye = (eye) => localStorage.setItem(STORAGE_KEY, JSON.stringify(eye));
+
+/** The eye as this screen shows it. @param {Eye} eye @returns {Eye} */
+export const shownEye = (eye) => (REDUCED.matches ? { ...eye, roll_share: 0 } : eye);
+
 /** The least and the greatest value of a number. @param {NumberName} name @returns {[number, number]} */
 function rangeOf(name) {
   const { minimum, maximum } = limitsOf("CameraChoice", name);
@@ -29,24 +39,15 @@ function rangeOf(name) {
 
 let made = 0; // panels, each with an id of its own
 
-/**
- * @param {() => void} onChange
- * @returns {{button: HTMLElement, panel: HTMLElement, eye: Eye, mine: () => Eye}} eye: as chosen; mine: as this screen shows it
- */
-export function viewSettings(onChange) {
-  const eye = { ...usualEye(), ...storedEye() };
-  /** @param {Partial<Eye>} change */
-  const set = (change) => {
-    Object.assign(eye, change);
-    localStorage.setItem(STORAGE_KEY, JSON.stringify(eye));
-    onChange();
-  };
+/** The button, and the panel that it opens. @param {{eye: Eye, onChange: (change: Partial<Eye>) => void}} settings */
+export function ViewSettings({ eye, onChange }) {
+  const [id] = useState(() => `view-settings-${++made}`);
   /**
    * @param {NumberName} name @param {number} size of a step @param {number} digits @param {string} unit
    * @param {number} [scale] of the number on screen
    */
   const step = (name, size, digits, unit, scale = 1) =>
-    stepper({
+    h(Stepper, {
       label: t(`trial-view-${name}`),
       value: eye[name] * scale,
       low: rangeOf(name)[0] * scale,
@@ -54,37 +55,42 @@ export function viewSettings(onChange) {
       step: size,
       digits,
       unit,
-      onChange: (value) => set({ [name]: value / scale }),
+      onChange: (value) => onChange({ [name]: value / scale }),
     });
-  const id = `view-settings-${++made}`;
-  const panel = h(
-    "div",
-    { class: "card view-settings", id, popover: "auto", role: "group", "aria-label": t("trial-view-settings") },
-    setting(t("trial-view-fov-deg"), "", step("fov_deg", 2, 0, "°")),
-    setting(t("trial-view-eye-height"), "", step("eye_height", 0.05, 2, "m")),
-    setting(
-      t("trial-view-roll-share"),
-      REDUCED.matches ? t("trial-view-reduced") : t("trial-view-roll-share-why"),
-      REDUCED.matches ? h("span", {}) : step("roll_share", 25, 0, "%", 100),
-    ),
-    setting(
-      t("trial-view-head"),
-      t("trial-view-head-why"),
-      toggle(t("trial-view-head-on"), eye.head, (head) => set({ head })),
-    ),
-    setting(
-      t("stereo-open"),
-      t("stereo-open-why"),
-      h("a", { class: "btn small", href: "stereo.html", target: "_blank" }, t("stereo-open-link")),
-    ),
-  );
   const words = t("trial-view-settings");
-  const button = h(
-    "button",
-    { type: "button", class: "btn small", popovertarget: id, "aria-label": words, title: words },
-    icon("settings"),
+  return h(
+    Fragment,
+    {},
+    h(
+      "button",
+      { type: "button", class: "btn small", popovertarget: id, "aria-label": words, title: words },
+      h(Icon, { name: "settings" }),
+    ),
+    h(
+      "div",
+      { class: "card view-settings", id, popover: "auto", role: "group", "aria-label": words },
+      h(Setting, { title: t("trial-view-fov-deg") }, step("fov_deg", 2, 0, "°")),
+      h(Setting, { title: t("trial-view-eye-height") }, step("eye_height", 0.05, 2, "m")),
+      h(
+        Setting,
+        {
+          title: t("trial-view-roll-share"),
+          hint: t(REDUCED.matches ? "trial-view-reduced" : "trial-view-roll-share-why"),
+        },
+        REDUCED.matches ? h("span", {}) : step("roll_share", 25, 0, "%", 100),
+      ),
+      h(
+        Setting,
+        { title: t("trial-view-head"), hint: t("trial-view-head-why") },
+        h(Toggle, { label: t("trial-view-head-on"), on: eye.head, onChange: (head) => onChange({ head }) }),
+      ),
+      h(
+        Setting,
+        { title: t("stereo-open"), hint: t("stereo-open-why") },
+        h("a", { class: "btn small", href: "stereo.html", target: "_blank" }, t("stereo-open-link")),
+      ),
+    ),
   );
-  return { button, panel, eye, mine: () => (REDUCED.matches ? { ...eye, roll_share: 0 } : eye) };
 }
 
 /** The stored settings that are valid. @returns {Partial<Eye>} */
