@@ -3,6 +3,7 @@
  * @import { Gesture } from "types/api"
  * @import { Control, ControlsStore } from "./store.js"
  */
+import { passFocus } from "../../focus.js";
 import { Fragment, h, useSignal } from "../../preact.js";
 import { t } from "../../texts.js";
 import { Segments, Selection } from "../../widgets/fields.js";
@@ -81,6 +82,7 @@ function Tuning({ store, control }) {
         type: "button",
         class: "btn small chip",
         "aria-label": t("tune-remove", { gesture: words }),
+        ref: passFocus,
         onClick: () => store.unbind(control, gesture.name),
       },
       words,

@@ -24,9 +24,15 @@ export async function show(app, root, { signal: left, rest: [patient, , id] }) {
   const { trial } = read;
   app.setSubject({ code: trial.patient_code, sessions: [trial.session_number] });
   if (trial.status === "running") {
-    app.live.addEventListener("changed", ({ detail }) => ["trial", "everything"].includes(detail) && app.show(), {
-      signal: left,
-    });
+    const lookWhetherOver = async () => {
+      const now = await app.api.get(`/trials/${id}`).catch(() => null);
+      if (!left.aborted && now && now.status !== "running") app.show();
+    };
+    app.live.addEventListener(
+      "changed",
+      ({ detail }) => void (["trial", "everything"].includes(detail) && lookWhetherOver()),
+      { signal: left },
+    );
     const title = t("review-running-title", { number: trial.number });
     return emptyPage(root, title, t("review-running-lead"), `#/review/${patient}`, t("review-back"));
   }
