@@ -10,7 +10,6 @@ import { h, put } from "./widgets/dom.js";
 import { LANGUAGE } from "./language.js";
 import { chooseLanguage } from "./widgets/language_choice.js";
 import { Lock } from "./shell/lock.js";
-import { focusAgain, keepFocus } from "./shell/focus_keeper.js";
 import { frameState } from "./shell/frame_state.js";
 import { haltFollower } from "./shell/halt.js";
 import { header } from "./shell/header.js";
@@ -100,7 +99,6 @@ export class App extends TypedEvents {
     );
     stopOnSpace(this, window);
     this.lock.watch();
-    keepFocus();
     for (const event of /** @type {const} */ (["me", "session", "subject"])) {
       this.addEventListener(event, () => (document.title = pageTitle(this)));
     }
@@ -223,7 +221,6 @@ export class App extends TypedEvents {
     this.#pageSession.adopt();
     const leave = (this.#leave = new AbortController());
     const address = this.#readRoute();
-    const giveFocus = focusAgain(this.root, address === this.#shown);
     this.#shown = address;
     const { page: name, rest } = this.route;
     this.dispatchEvent(new Event("route"));
@@ -241,7 +238,13 @@ export class App extends TypedEvents {
     } catch (error) {
       if (!leave.signal.aborted) this.#failed(error);
     }
-    if (!leave.signal.aborted) giveFocus();
+    if (!leave.signal.aborted) this.#focusHeading();
+  }
+
+  /** The heading of a page that is shown has the focus, unless the page has given it to what it opened. */
+  #focusHeading() {
+    const { activeElement: now } = document;
+    if (now === this.root || !this.root.contains(now)) this.root.querySelector("h1")?.focus({ preventScroll: true });
   }
 
   /** Read what the address names into `route`, and return it as one text. */

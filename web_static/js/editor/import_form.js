@@ -42,7 +42,7 @@ export function ImportForm({ app, onOpen }) {
   const submit = async (event) => {
     event.preventDefault();
     const [chosen, known] = [files.value, layers.value];
-    if (!chosen.length) return;
+    if (!chosen.length || isSending.value) return;
     problem.value = "";
     made.value = null;
     isSending.value = true;
@@ -65,6 +65,7 @@ export function ImportForm({ app, onOpen }) {
     }
     isSending.value = false;
   };
+  const isOff = isSending.value || !files.value.length;
   const kind = kindOf(files.value);
   /** @type {EntriesProps} */
   const shown = {
@@ -90,7 +91,7 @@ export function ImportForm({ app, onOpen }) {
       layers.value && h(LayerFields, { layers: layers.value, onChange: (next) => void (layers.value = next) }),
     ),
     h("p", { class: "problem", role: "alert" }, problem),
-    h("div", {}, h("button", { class: "btn go", disabled: isSending.value || !files.value.length }, t("import-read"))),
+    h("div", {}, h("button", { class: "btn go", "aria-disabled": isOff || undefined }, t("import-read"))),
     h("div", { class: "stack" }, h(ImportPreview, { made, onOpen })),
   );
 }

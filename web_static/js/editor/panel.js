@@ -1,5 +1,5 @@
 /** The form at the side: what is chosen, or the plan itself. */
-import { Fragment, h } from "../preact.js";
+import { Fragment, h, useFocusWithin } from "../preact.js";
 import { REFERENCE } from "../reference.js";
 import { t } from "../texts.js";
 import { Field, Selection } from "../widgets/fields.js";
@@ -18,6 +18,7 @@ const MOST_LISTED = 300; // items of one list
 
 /** @param {{store: import("./store.js").EditorStore}} panel */
 export function Panel({ store: { state, models, acts, become } }) {
+  useFocusWithin(".panel", ".panel select"); // of an item that is erased, the list is left
   const { plan, chosen, tool, doorWidth } = state.value;
   return h(
     "section",

@@ -1,4 +1,5 @@
 /** The first page of the editor: a new plan, the clinic's own plans, the plans that come with the software, an import. */
+import { passFocus } from "../focus.js";
 import { drawPage, Fragment, h, signal } from "../preact.js";
 import { t } from "../texts.js";
 import { Icon } from "../widgets/icons.js";
@@ -185,6 +186,7 @@ function OwnRow({ plan, onOpen, onRemove }) {
         type: "button",
         class: "btn small bare",
         "aria-label": t("plans-delete-label", { title }),
+        ref: passFocus,
         onClick: () => onRemove(plan),
       },
       h(Icon, { name: "bin" }),

@@ -43,6 +43,7 @@ export function showPlan(app, root, { draft: first, plans, models, left }) {
 
   /** Save the plan, and tell whether it was saved. @param {(document: Plan) => Promise<OwnPlanView | null>} send */
   async function saveBy(send) {
+    if (isSaving.value) return false;
     isSaving.value = true;
     const isSaved = await app.toasts.attempt(async () => {
       const document = store.finish();
@@ -119,6 +120,7 @@ export function showPlan(app, root, { draft: first, plans, models, left }) {
   const Foot = () => {
     const { document, name, dirty } = draft.value;
     const isNew = name === null;
+    const isOff = isSaving.value || undefined;
     const way = dirty || isNew ? "" : `#/drive/task/${name}/${document.paths[0].name}`;
     return h(
       Fragment,
@@ -127,12 +129,12 @@ export function showPlan(app, root, { draft: first, plans, models, left }) {
       h("a", { class: "btn", href: way || "#/drive", hidden: !way }, t("plan-drive")),
       h(
         "button",
-        { type: "button", class: "btn go", disabled: isSaving.value, hidden: isNew, onClick: saveVersion },
+        { type: "button", class: "btn go", "aria-disabled": isOff, hidden: isNew, onClick: saveVersion },
         t("plan-save"),
       ),
       h(
         "button",
-        { type: "button", class: isNew ? "btn go" : "btn", disabled: isSaving.value, onClick: saveAsNew },
+        { type: "button", class: isNew ? "btn go" : "btn", "aria-disabled": isOff, onClick: saveAsNew },
         t("plan-save-new"),
       ),
     );

@@ -3,7 +3,7 @@
  * @import { PlanSheet } from "./sheet.js"
  * @import { EditorStore } from "./store.js"
  */
-import { h } from "../preact.js";
+import { h, useFocusWithin } from "../preact.js";
 import { t } from "../texts.js";
 import { Toggle } from "../widgets/fields.js";
 import { number } from "../widgets/format.js";
@@ -36,6 +36,7 @@ export function Workbench({ store, sheet: { element, look, showAll } }) {
 function Tools({ store: { state, history, take, undo, redo } }) {
   const { tool, pending } = state.value;
   const { past, future } = history.value;
+  const [cannotUndo, cannotRedo] = [!past.length && !pending.length, !future.length];
   return h(
     "div",
     { class: "tools", role: "toolbar", "aria-label": t("editor-tools") },
@@ -54,13 +55,23 @@ function Tools({ store: { state, history, take, undo, redo } }) {
     ),
     h(
       "button",
-      { type: "button", class: "btn small", disabled: !past.length && !pending.length, onClick: undo },
+      {
+        type: "button",
+        class: "btn small",
+        "aria-disabled": cannotUndo || undefined,
+        onClick: () => void (cannotUndo || undo()),
+      },
       h(Icon, { name: "undo" }),
       t("undo"),
     ),
     h(
       "button",
-      { type: "button", class: "btn small", disabled: !future.length, onClick: redo },
+      {
+        type: "button",
+        class: "btn small",
+        "aria-disabled": cannotRedo || undefined,
+        onClick: () => void (cannotRedo || redo()),
+      },
       h(Icon, { name: "redo" }),
       t("redo"),
     ),
@@ -69,6 +80,7 @@ function Tools({ store: { state, history, take, undo, redo } }) {
 
 /** What the tool needs next, and the grid. @param {{store: EditorStore}} foot */
 function SheetFoot({ store: { state, step, take } }) {
+  useFocusWithin(".sheet-foot", ".sheet"); // the line is done
   const { tool, pending } = state.value;
   const isLine = pending.length > 1;
   const drawn = () => t("editor-drawn", { count: pending.length, length: number(lengthOf(pending), 2) });

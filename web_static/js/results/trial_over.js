@@ -6,6 +6,7 @@
  * @typedef {Awaited<ReturnType<typeof readTrial>>} TrialReading a trial with all that stands beside it
  * @typedef {ReturnType<typeof trialOverStore>} TrialOverStore
  */
+import { passFocus } from "../focus.js";
 import { drawFoot, drawPage, Fragment, h, signal, useOpening } from "../preact.js";
 import { t } from "../texts.js";
 import { DiscardForm } from "./discard.js";
@@ -126,7 +127,7 @@ function keeping({ reading, ask, count, keep }) {
   const { kept, measures } = reading.value.trial;
   /** @param {"discard" | "count" | "keep"} what @param {() => unknown} onClick */
   const button = (what, onClick) =>
-    h("button", { key: what, type: "button", class: "btn", onClick }, t(`over-${what}`));
+    h("button", { key: what, type: "button", class: "btn", ref: passFocus, onClick }, t(`over-${what}`));
   if (kept) return button("discard", ask);
   return isInterrupted(measures) ? button("count", count) : button("keep", keep);
 }

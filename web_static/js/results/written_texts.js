@@ -2,18 +2,9 @@
  * Texts that people write on trials and sessions: a form for one, the way to change it, and what it said earlier.
  * @import { ComponentChildren } from "../preact.js"
  */
-import { focusFirst, h, useLayoutEffect, useRef, useSignal } from "../preact.js";
+import { h, useLayoutEffect, useRef, useSignal } from "../preact.js";
 import { t } from "../texts.js";
 import { Field } from "../widgets/fields.js";
-
-/** A form that a button opens; when it closes, the button has the focus again by `buttonRef`. */
-export function useOpenForm() {
-  const isOpen = useSignal(false);
-  const wasOpen = useRef(false);
-  const open = () => void (isOpen.value = wasOpen.current = true);
-  const close = () => void (isOpen.value = false);
-  return { isOpen: isOpen.value, open, close, buttonRef: wasOpen.current ? focusFirst : null };
-}
 
 /**
  * A form of one text.

@@ -3,6 +3,7 @@
  * Stop in the header stays. The page comes back, with what was typed, when the same person gives the password.
  * @import { Me } from "types/api"
  */
+import { giveFocus } from "../focus.js";
 import { h, render } from "../preact.js";
 import { REFERENCE } from "../reference.js";
 import { t } from "../texts.js";
@@ -20,6 +21,7 @@ export class Lock {
   #isHidden = false; // the server shows this page nothing of a patient: it is locked, or this reviewer may not see it
   #toldAt = -TELL_EVERY;
   isLocked = false;
+  #before = /** @type {Element | null} */ (null); // what had the focus when the page was covered
 
   /** @param {import("../main.js").App} app */
   constructor(app) {
@@ -66,6 +68,7 @@ export class Lock {
     const app = this.#app;
     if (this.isLocked || !app.me?.signed_in) return;
     this.isLocked = true;
+    this.#before = document.activeElement;
     app.toasts.clear();
     app.question.style.display = "none";
     app.frame.classList.add("locked", "alone");
@@ -83,6 +86,7 @@ export class Lock {
     app.question.style.display = "";
     app.frame.classList.remove("locked", "alone");
     this.#cover.replaceWith(app.root);
+    giveFocus(this.#before);
     render(null, this.#cover);
     app.dispatchEvent(new Event("me"));
   }

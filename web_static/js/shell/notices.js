@@ -5,6 +5,7 @@
  * @import { App } from "../main.js"
  * @import { Halt } from "./halt.js"
  */
+import { giveFocus } from "../focus.js";
 import { t } from "../texts.js";
 import { h, put, set } from "../widgets/dom.js";
 import { timeOfDay } from "../widgets/format.js";
@@ -26,7 +27,9 @@ export function notices(app) {
     if (kind === shown) return;
     shown = kind;
     set(element, { "aria-live": urgency(halt) });
+    const hadFocus = element.contains(document.activeElement);
     put(element, kind && note(app, kind, halt));
+    if (hadFocus) giveFocus(element.querySelector(".btn"));
   };
   app.live.addEventListener("tick", show);
   app.live.addEventListener("connection", show);

@@ -1,5 +1,6 @@
 /** Short messages at the lower edge, with at most one thing to do about them; read out by screen readers. */
 import { failureWords } from "../api.js";
+import { giveFocus } from "../focus.js";
 import { h } from "../widgets/dom.js";
 
 const SHOWN_FOR = 8000; // ms: long enough to read it
@@ -30,12 +31,22 @@ export class Toasts {
     if (offer.action) {
       const run = () => {
         clearTimeout(timer);
-        toast.remove();
+        this.#put();
         offer.run?.();
       };
       toast.append(h("button", { type: "button", onclick: run }, offer.action));
     }
-    this.element.replaceChildren(toast);
+    this.#put(toast);
+  }
+
+  /**
+   * Show another message, or none; who is on the button of the one before goes on at the heading of the page.
+   * @param {...Node} toast
+   */
+  #put(...toast) {
+    const hadFocus = this.element.contains(document.activeElement);
+    this.element.replaceChildren(...toast);
+    if (hadFocus) giveFocus();
   }
 
   /**
@@ -52,7 +63,8 @@ export class Toasts {
 
   /** Remove all messages: they were not meant for the next person at this screen. */
   clear() {
-    for (const place of [this.element, this.voice, this.urgent]) place.replaceChildren();
+    this.#put();
+    for (const place of [this.voice, this.urgent]) place.replaceChildren();
   }
 
   /** Say something to screen readers only; the same words within a second are said once. @param {string} words @param {boolean} [urgent] */

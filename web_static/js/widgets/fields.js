@@ -3,6 +3,7 @@
  * @import { Child } from "types/dom"
  * @import { ComponentChildren, VNode } from "../preact.js"
  */
+import { giveFocus } from "../focus.js";
 import { cloneElement, h as draw, useState } from "../preact.js";
 import { h, set, write } from "./dom.js";
 import { number } from "./format.js";
@@ -255,6 +256,8 @@ export function stepper({ label, value, low, high, step, digits, unit, onChange 
     write(shown, `${number(now, digits)} ${unit}`.trim());
     less.disabled = now <= low + step / 1000;
     more.disabled = now >= high - step / 1000;
+    // At the end of the range, the other button has the focus.
+    if (element.contains(document.activeElement)) giveFocus(element.querySelector(":enabled"));
   };
   /** @param {1 | -1} direction */
   const turn = (direction) => {
@@ -264,8 +267,8 @@ export function stepper({ label, value, low, high, step, digits, unit, onChange 
   };
   repeatWhileHeld(less, () => turn(-1));
   repeatWhileHeld(more, () => turn(1));
-  show();
   const element = h("span", { class: "stepper", role: "group", "aria-label": label }, less, shown, more);
+  show();
   /** @param {number} other */
   const setValue = (other) => {
     now = other;

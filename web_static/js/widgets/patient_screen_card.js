@@ -4,8 +4,9 @@
  * @import { OfferView, ScreensView, ScreenView, ScreenSettings } from "types/api"
  * @typedef {Awaited<ReturnType<typeof screenStore>>} ScreenStore
  */
+import { giveFocus, passFocus } from "../focus.js";
 import { concerns } from "../live/news.js";
-import { Fragment, h, signal, useOpening, useSignal } from "../preact.js";
+import { Fragment, h, signal, useLayoutEffect, useOpening, useRef, useSignal } from "../preact.js";
 import { t } from "../texts.js";
 import { copyText } from "./clipboard.js";
 import { Field, Selection, Toggle } from "./fields.js";
@@ -91,6 +92,10 @@ export async function screenStore(app, left) {
 export function PatientScreenCard({ store, isPage = false }) {
   const { shown, refusals, unpair } = store;
   const { screens = [], settings } = shown.value ?? {};
+  const wishes = useRef(/** @type {HTMLDivElement | null} */ (null));
+  useLayoutEffect(() => {
+    if (refusals.value) giveFocus(wishes.current?.querySelector("input"));
+  }, [refusals.value]);
   return h(
     "section",
     { class: "card patient-screens" },
@@ -102,7 +107,7 @@ export function PatientScreenCard({ store, isPage = false }) {
       screens.map((screen) => h(Row, { key: screen.id, screen, onUnpair: () => unpair(screen) })),
     ),
     // After a refusal, the choices are drawn anew, as they were.
-    h("div", { class: "spread" }, settings && h(Wishes, { key: refusals.value, store, settings })),
+    h("div", { class: "spread", ref: wishes }, settings && h(Wishes, { key: refusals.value, store, settings })),
     h(Pairing, { store, heading: isPage ? "h2" : "h3" }),
   );
 }
@@ -118,7 +123,13 @@ function Row({ screen: { number, connected, picture, paired }, onUnpair }) {
     h("span", { class: "quiet small grow" }, t("screens-since", { when: moment(paired) })),
     h(
       "button",
-      { type: "button", class: "btn", "aria-label": t("screens-unpair-label", { number }), onClick: onUnpair },
+      {
+        type: "button",
+        class: "btn",
+        "aria-label": t("screens-unpair-label", { number }),
+        ref: passFocus,
+        onClick: onUnpair,
+      },
       t("screens-unpair"),
     ),
   );

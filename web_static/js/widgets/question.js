@@ -2,6 +2,7 @@
  * A question that a person has to answer before something is done. The page around it stays usable, Stop above all.
  * @import { Child } from "types/dom"
  */
+import { giveFocus } from "../focus.js";
 import { h, onEscape, put } from "./dom.js";
 
 /** An empty place, beside the pages that are drawn again, in which the question appears. @returns {HTMLElement} */
@@ -19,7 +20,7 @@ export function questionPlace() {
  * @returns {Promise<Value | null>}
  */
 export function ask(place, question, answers, ...details) {
-  const before = /** @type {HTMLElement | null} */ (document.activeElement);
+  const before = document.activeElement;
   return new Promise((resolve) => {
     /** @param {Value | null} value */
     const choose = (value) => {
@@ -27,7 +28,7 @@ export function ask(place, question, answers, ...details) {
       onEscape(place, null);
       removeEventListener("hashchange", leave);
       put(place);
-      before?.focus?.();
+      giveFocus(before);
       resolve(value);
     };
     const leave = () => choose(null);

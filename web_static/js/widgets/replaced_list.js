@@ -2,6 +2,7 @@
  * What was replaced in the last 30 days, each with a button that puts it back under a free name.
  * @import { ReplacedView } from "types/api"
  */
+import { passFocus } from "../focus.js";
 import { h, signal } from "../preact.js";
 import { REFERENCE } from "../reference.js";
 import { t } from "../texts.js";
@@ -58,6 +59,7 @@ function Row({ one: { name, replaced, until }, onPutBack }) {
         type: "button",
         class: "btn small",
         "aria-label": t("replaced-put-back-label", { name }),
+        ref: passFocus,
         onClick: onPutBack,
       },
       t("replaced-put-back"),

@@ -2,6 +2,7 @@
  * A line of settings: words at the left, and at the right their control, such as a number between − and +.
  * @import { ComponentChildren } from "../preact.js"
  */
+import { giveFocus } from "../focus.js";
 import { h, useLayoutEffect, useRef } from "../preact.js";
 import { nextStep, repeatWhileHeld } from "./fields.js";
 import { number } from "./format.js";
@@ -56,5 +57,10 @@ function HeldButton({ label, isOff, onPress, children }) {
   useLayoutEffect(() => {
     if (button.current) repeatWhileHeld(button.current, () => press.current());
   }, []);
+  useLayoutEffect(() => {
+    const { current: held } = button;
+    // At the end of the range, the other button has the focus.
+    if (isOff && held && held === document.activeElement) giveFocus(held.parentElement?.querySelector(":enabled"));
+  }, [isOff]);
   return h("button", { type: "button", "aria-label": label, disabled: isOff, ref: button }, children);
 }

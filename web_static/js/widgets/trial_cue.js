@@ -5,6 +5,7 @@
  * @import { LiveMessage } from "../live/live.js"
  * @import { Halt } from "../shell/halt.js"
  */
+import { giveFocus } from "../focus.js";
 import { t, textWith } from "../texts.js";
 import { h, put, set, write } from "./dom.js";
 import { clock } from "./format.js";
@@ -38,12 +39,18 @@ export function trialCue(app, picture, onEnd, onPlan) {
       h("div", { class: big.length > LONG ? "huge long" : "huge" }, big),
       small && h("p", {}, small),
     );
+  /** Show a card, or none; its first button has the focus when that of the card before had it. @param {...HTMLElement} card */
+  const place = (...card) => {
+    const hadFocus = element.contains(document.activeElement);
+    put(element, ...card);
+    if (hadFocus) giveFocus(element.querySelector("button"));
+  };
   const missing = () => (picture.shows === "none" ? picture.why : "");
   /** Show the card before the trial: a picture is being opened, or there is none. */
   const prepare = () => {
     const why = missing();
-    if (!why || why === "coming") put(element, word(t("trial-moment"), t("trial-moment-why")));
-    else put(element, withoutPicture(why, onPlan));
+    if (!why || why === "coming") place(word(t("trial-moment"), t("trial-moment-why")));
+    else place(withoutPicture(why, onPlan));
   };
   /** @param {LiveMessage} now */
   const show = (now) => {
@@ -59,22 +66,22 @@ export function trialCue(app, picture, onEnd, onPlan) {
     haltCard = halt && overView(app, halt, waits.element, onEnd, onPlan);
     if (haltCard) {
       clearTimeout(timer);
-      put(element, haltCard.element);
+      place(haltCard.element);
       return haltCard.setMissing(missing());
     }
     if (now.trial?.paused && !isOver) {
       clearTimeout(timer);
-      return put(element, pauseCard(now.trial.paused.name, pauseWaits.element));
+      return place(pauseCard(now.trial.paused.name, pauseWaits.element));
     }
     if (key === "disarmed" && !isBegun) return; // the trial has not begun: keep the card of `prepare`
     clearTimeout(timer);
     isBegun ||= key === "checking";
-    if (key === "measuring") put(element, measuring.element);
-    else if (key === "checking") put(element, word(t("trial-rest"), t("trial-rest-why")));
+    if (key === "measuring") place(measuring.element);
+    else if (key === "checking") place(word(t("trial-rest"), t("trial-rest-why")));
     else if (key === "armed" && isBegun) {
-      put(element, word(t("trial-go"), "", "go"));
-      timer = setTimeout(() => put(element), GO_SHOWN);
-    } else put(element);
+      place(word(t("trial-go"), "", "go"));
+      timer = setTimeout(() => place(), GO_SHOWN);
+    } else place();
   };
   /** Its end was asked for here, before the program says that it is over; or that was refused. @param {boolean} is */
   const setEnding = (is) => {

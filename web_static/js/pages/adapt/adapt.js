@@ -5,7 +5,7 @@
  */
 import { EffectCard } from "./adapt_effect.js";
 import { JointCards } from "./adapt_joints.js";
-import { drawFoot, drawPage, Fragment, h } from "../../preact.js";
+import { drawFoot, drawPage, Fragment, h, useFocusWithin } from "../../preact.js";
 import { Choices } from "../../widgets/fields.js";
 import { percent } from "../../widgets/format.js";
 import { labelsOf } from "../../widgets/joint_words.js";
@@ -62,20 +62,31 @@ function Page({ store }) {
 
 /** @param {{store: AdaptStore}} foot */
 function Foot({ store: { view, isBusy, mayChange, look, dismiss, apply, back } }) {
+  useFocusWithin(".foot"); // what was found is to be read first
   if (!mayChange) return null;
   const { back_to: before, refusal } = view.value;
   const proposal = waiting(view.value);
   /** @param {string} key @param {string} words @param {() => void} onClick */
-  const button = (key, words, onClick, kind = "btn", isOff = false) =>
-    h("button", { key, type: "button", class: kind, disabled: isOff || isBusy.value, onClick }, words);
+  const button = (key, words, onClick, kind = "btn", isOff = isBusy.value) =>
+    h(
+      "button",
+      {
+        key,
+        type: "button",
+        class: kind,
+        "aria-disabled": isOff || undefined,
+        onClick: () => void (isOff || onClick()),
+      },
+      words,
+    );
   return h(
     Fragment,
     {},
     before !== null && button("back", t("adapt-back", { version: before }), back),
     h("span", { key: "grow", class: "grow" }),
     proposal && button("later", t("adapt-later"), () => dismiss(proposal.id)),
-    proposal && button("apply", t("adapt-apply"), () => apply(proposal.id), "btn go", refusal !== null),
-    !proposal && button("look", t("adapt-look"), look, "btn", !mayLook(view.value)),
+    proposal && button("apply", t("adapt-apply"), () => apply(proposal.id), "btn go", isBusy.value || refusal !== null),
+    !proposal && button("look", t("adapt-look"), look, "btn", isBusy.value || !mayLook(view.value)),
     !proposal && h("a", { key: "drive", class: "btn go", href: "#/drive" }, t("rail-drive")),
   );
 }

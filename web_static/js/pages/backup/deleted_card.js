@@ -2,6 +2,7 @@
  * Deleted patients: how many days are left, undo, and erase for good now.
  * @import { DeletedPatientView } from "types/api"
  */
+import { passFocus } from "../../focus.js";
 import { focusFirst, h, useSignal } from "../../preact.js";
 import { REFERENCE } from "../../reference.js";
 import { t } from "../../texts.js";
@@ -73,7 +74,7 @@ export function DeletedCard({ store: { app, view, show } }) {
 
 /** @param {string} words @param {string} label @param {() => unknown} onClick */
 const smallButton = (words, label, onClick) =>
-  h("button", { type: "button", class: "btn small", "aria-label": label, onClick }, words);
+  h("button", { type: "button", class: "btn small", "aria-label": label, ref: passFocus, onClick }, words);
 
 /** @param {string} code @param {() => unknown} onErase @param {() => unknown} onClose */
 function confirmation(code, onErase, onClose) {

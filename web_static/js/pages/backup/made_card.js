@@ -13,7 +13,9 @@ const MOST_ROWS = 8;
 export function MadeCard({ store: { app, view, change } }) {
   const { warning, clock, last_good: last, folder, course, made } = view.value;
   const problem = useSignal("");
+  const isOff = course !== null || folder === null;
   const backUp = async () => {
+    if (isOff) return;
     problem.value = "";
     problem.value = await change(() => app.api.post("/backups"));
   };
@@ -29,7 +31,7 @@ export function MadeCard({ store: { app, view, change } }) {
       {},
       h(
         "button",
-        { type: "button", class: "btn go", disabled: course !== null || folder === null, onClick: backUp },
+        { type: "button", class: "btn go", "aria-disabled": isOff || undefined, onClick: backUp },
         t("backup-now"),
       ),
     ),

@@ -22,6 +22,7 @@ export function NightCard({ store: { app, view, change } }) {
   /** @param {Event} event */
   const submit = async (event) => {
     event.preventDefault();
+    if (isSending.value) return;
     const settings = {
       folder: folder.value.trim() || null,
       hour: Number(hour.value),
@@ -82,7 +83,7 @@ export function NightCard({ store: { app, view, change } }) {
         ),
       h(Toggle, { label: t("backup-with-keys"), on: withKeys.value, onChange: (on) => (withKeys.value = on) }),
       h("p", { class: "problem", role: "alert" }, problem),
-      h("div", {}, h("button", { class: "btn", disabled: isSending.value }, t("backup-save"))),
+      h("div", {}, h("button", { class: "btn", "aria-disabled": isSending.value || undefined }, t("backup-save"))),
     ),
   );
 }

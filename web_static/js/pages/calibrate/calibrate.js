@@ -5,7 +5,7 @@
 import { CalibrationResult } from "./calibration_result.js";
 import { Step } from "./calibrate_step.js";
 import { Foot } from "./foot.js";
-import { drawFoot, drawPage, Fragment, h } from "../../preact.js";
+import { drawFoot, drawPage, Fragment, h, useFocusWithin } from "../../preact.js";
 import { emptyPage, patientHere } from "../../shell/nobody.js";
 import { StepBar } from "./step_bar.js";
 import { calibrationStore, readCalibration } from "./store.js";
@@ -29,6 +29,7 @@ export async function show(app, root, { signal: left }) {
 
 /** @param {{store: CalibrationStore}} page */
 function Page({ store }) {
+  useFocusWithin(".body"); // another step is shown
   return h(
     Fragment,
     {},

@@ -4,12 +4,13 @@
  */
 import { startWords } from "./calibrate_step.js";
 import { leftOutWords } from "./calibration_result.js";
-import { Fragment, h } from "../../preact.js";
+import { Fragment, h, useFocusWithin } from "../../preact.js";
 import { t } from "../../texts.js";
 import { Toggle } from "../../widgets/fields.js";
 
 /** @param {{store: CalibrationStore}} foot */
 export function Foot({ store }) {
+  useFocusWithin(".foot", ".foot .btn.go", ".foot .btn");
   return h(Fragment, {}, store.step.value.kind === "result" ? ofResult(store) : ofStep(store));
 }
 

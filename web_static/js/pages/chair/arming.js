@@ -61,6 +61,7 @@ function OpenPoints({ store: { reasons } }) {
 /** @param {{store: ArmingStore}} foot */
 function Foot({ store: { reasons, isArming, arm, chooseVirtual } }) {
   const count = reasons.value.length;
+  const isOff = isArming.value || count > 0;
   return h(
     Fragment,
     {},
@@ -72,8 +73,8 @@ function Foot({ store: { reasons, isArming, arm, chooseVirtual } }) {
         type: "button",
         class: "btn go large",
         "aria-describedby": "missing",
-        disabled: isArming.value || count > 0,
-        onClick: arm,
+        "aria-disabled": isOff || undefined,
+        onClick: () => void (isOff || arm()),
       },
       t(isArming.value ? "arm-busy" : "arm-go"),
     ),

@@ -6,6 +6,7 @@
  * @import { Reading } from "./store.js"
  * @typedef {ReturnType<typeof panelStore>} PanelStore
  */
+import { giveFocus } from "../../focus.js";
 import { computed, drawFoot, drawPage, Fragment, h, signal, useLayoutEffect, useRef } from "../../preact.js";
 import { urgency } from "../../shell/halt.js";
 import { t } from "../../texts.js";
@@ -64,6 +65,7 @@ function panelStore(app, read, id, left) {
     if (key !== state.value.key) state.value = { key, name: now.state, halt };
   };
   const end = async () => {
+    if (isEnding.value) return;
     isEnding.value = true;
     const drive = await app.toasts.attempt(() => app.api.post("/drives/current/end"));
     if (drive) return app.go(`#/drive/chair/over/${drive.id}`);
@@ -115,7 +117,9 @@ function StateCard({ store: { app, name, time, state, waits, end } }) {
   useLayoutEffect(() => {
     app.root.scrollTop = 0; // the fault and Continue must be in view
     const button = () => make("button", { type: "button", class: "btn", onclick: end }, t("driving-end"));
+    const hadFocus = place.current?.contains(document.activeElement);
     place.current?.replaceChildren(...(halt ? [faultCard(app, halt, waits.element, button())] : []));
+    if (hadFocus) giveFocus(place.current?.querySelector("button"));
   }, [key]);
   return h(
     "section",
@@ -186,7 +190,7 @@ function Foot({ store: { isSimulated, isEnding, end } }) {
     h("span", { class: "grow" }, isSimulated && `${t("chair-simulated")} `, t("arm-front")),
     h(
       "button",
-      { type: "button", class: "btn large", disabled: isEnding.value, onClick: end },
+      { type: "button", class: "btn large", "aria-disabled": isEnding.value || undefined, onClick: end },
       t(isEnding.value ? "driving-ending" : "driving-end"),
     ),
   );

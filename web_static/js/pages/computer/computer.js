@@ -19,6 +19,7 @@ export async function show(app, root, { signal: left }) {
   const problem = signal("");
   const again = signal(false); // whether it was measured before
   const measure = async () => {
+    if (time.value !== null) return;
     const since = performance.now();
     [time.value, measured.value, problem.value] = [0, null, ""];
     const timer = setInterval(() => (time.value = (performance.now() - since) / 1000), SHOW_EVERY);
@@ -41,7 +42,7 @@ export async function show(app, root, { signal: left }) {
         {},
         h(
           "button",
-          { type: "button", class: "btn go", disabled: time.value !== null, onClick: measure },
+          { type: "button", class: "btn go", "aria-disabled": time.value !== null || undefined, onClick: measure },
           again.value ? t("computer-again") : t("computer-go", { seconds: SECONDS }),
         ),
       ),

@@ -3,6 +3,7 @@
  * @import { Gesture } from "types/api"
  * @import { Control, ControlsStore } from "./store.js"
  */
+import { passFocus } from "../../focus.js";
 import { Fragment, h, useSignal } from "../../preact.js";
 import { limitsOf } from "../../reference.js";
 import { t } from "../../texts.js";
@@ -82,6 +83,7 @@ function Tuning({ store, control }) {
         type: "button",
         class: "btn small chip",
         "aria-label": t("tune-remove", { gesture: words }),
+        ref: passFocus,
         onClick: () => store.unbind(control, gesture.name),
       },
       words,

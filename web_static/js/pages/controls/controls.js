@@ -70,19 +70,21 @@ function Page({ store, isVisitor }) {
 /** @param {{store: ControlsStore}} lead */
 function Lead({ store: { busy, settings, view, undo, redo } }) {
   /** @param {"undo" | "redo"} name @param {() => void} onClick */
-  const button = (name, onClick) =>
-    h(
+  const button = (name, onClick) => {
+    const isOff = busy.value !== undefined || !view.value[`can_${name}`];
+    return h(
       "button",
       {
         type: "button",
         class: "icon-button",
         "aria-label": t(name),
         title: t(name),
-        disabled: busy.value !== undefined || !view.value[`can_${name}`],
-        onClick,
+        "aria-disabled": isOff || undefined,
+        onClick: () => void (isOff || onClick()),
       },
       h(Icon, { name, size: 22 }),
     );
+  };
   return h(
     "div",
     { class: "lead controls-lead" },

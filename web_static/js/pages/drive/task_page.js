@@ -9,7 +9,7 @@
  */
 import { newestAnswer } from "../../live/newest_answer.js";
 import { warningsPlace } from "../../results/control_warnings.js";
-import { drawFoot, drawPage, Fragment, h, signal, useLayoutEffect } from "../../preact.js";
+import { drawFoot, drawPage, Fragment, h, signal, useFocusWithin } from "../../preact.js";
 import { wayBeforeDriving } from "./obstacle_link.js";
 import { PlanPlace } from "./plan_place.js";
 import { screenWords } from "./screen_words.js";
@@ -124,13 +124,7 @@ function screenState({ screens }) {
 /** Who moves, the way to another task, the start of the trial or what it lacks. @param {{store: TaskStore}} foot */
 function Foot({ store }) {
   const { choice, equipment, obstacle, mayDrive } = store;
-  /** @type {HTMLElement | null} */
-  let main = null;
-  const setMain = (/** @type {HTMLElement | null} */ element) => void (main = element);
-  const hadFocus = isFocusInFoot();
-  useLayoutEffect(() => {
-    if (hadFocus && !isFocusInFoot()) main?.focus(); // what had it was replaced
-  });
+  useFocusWithin(".foot", ".foot .btn.go");
   const { shirt } = equipment.value;
   const way = wayBeforeDriving(shirt, obstacle.value);
   return h(
@@ -147,18 +141,16 @@ function Foot({ store }) {
         h("a", { class: "btn bare small", href: "#/shirt" }, t("drive-body-change")),
     ),
     h("a", { class: "btn", href: taskLink("tasks", choice.value.task) }, t("drive-choose")),
-    mayDrive && way && h("a", { class: "btn go large", href: way.href, ref: setMain }, way.go),
+    mayDrive && way && h("a", { class: "btn go large", href: way.href }, way.go),
     mayDrive &&
       !way &&
       h(
         "button",
-        { type: "button", class: "btn go large", ref: setMain, onClick: store.start },
+        { type: "button", class: "btn go large", onClick: store.start },
         t(store.has3d ? "drive-start" : "drive-start-plan"),
       ),
   );
 }
-
-const isFocusInFoot = () => Boolean(document.activeElement?.closest(".foot"));
 
 /** @param {EquipmentView} equipment */
 function bodyWords({ shirt, body }) {

@@ -2,7 +2,7 @@
  * A running trial: the picture fills the page; over it time, place, plan, speed, and what can be done.
  * @import { TrialStore } from "./trial_store.js"
  */
-import { drawPage, Fragment, h, useRef } from "../../preact.js";
+import { drawPage, Fragment, h, useFocusWithin, useRef } from "../../preact.js";
 import { t } from "../../texts.js";
 import { speedDial } from "../../widgets/dial.js";
 import { number } from "../../widgets/format.js";
@@ -62,6 +62,7 @@ function Trial({ store }) {
 
 /** The drawn plan by one button, once the 3D view has paused the trial too often. @param {{store: TrialStore}} offer */
 function PlanOffer({ store: { moment, shows, views } }) {
+  useFocusWithin(".plan-offer", ".view-bar input:checked");
   const pauses = moment.value?.trial?.pauses ?? 0;
   return h(
     "div",
@@ -84,6 +85,7 @@ function Bar({ store }) {
     gone.addEventListener("abort", () => size.disconnect());
   });
   const speed = number(moment.value ? moment.value.v : 0, 2);
+  const isOff = !trial.value || isEnding.value;
   return h(
     "div",
     { class: "hud bar", ref: bar },
@@ -112,7 +114,12 @@ function Bar({ store }) {
       ),
       h(
         "button",
-        { type: "button", class: "btn end", disabled: !trial.value || isEnding.value, onClick: store.end },
+        {
+          type: "button",
+          class: "btn end",
+          "aria-disabled": isOff || undefined,
+          onClick: () => void (isOff || store.end()),
+        },
         t(isEnding.value ? "trial-ending" : "trial-end"),
       ),
     ),

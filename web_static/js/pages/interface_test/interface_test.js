@@ -14,6 +14,7 @@ import {
   Fragment,
   h,
   signal,
+  useFocusWithin,
   useLayoutEffect,
   useMemo,
   useRef,
@@ -137,6 +138,7 @@ function Foot({ store: { app, ownTest, isRunning, mayTest, start, end } }) {
   useLayoutEffect(() => {
     if (ownTest.value) endButton.current?.focus({ preventScroll: true });
   }, [ownTest.value]);
+  useFocusWithin(".foot", ".foot .btn.go"); // when the test is over
   return h(
     Fragment,
     {},
@@ -159,13 +161,21 @@ function Foot({ store: { app, ownTest, isRunning, mayTest, start, end } }) {
 function OnceButton({ app, kind, isHidden, act, button, children }) {
   const isActing = useSignal(false);
   const press = async () => {
+    if (isActing.value) return;
     isActing.value = true;
     await app.toasts.attempt(act);
     isActing.value = false;
   };
   return h(
     "button",
-    { type: "button", class: kind, hidden: isHidden, disabled: isActing.value, ref: button, onClick: press },
+    {
+      type: "button",
+      class: kind,
+      hidden: isHidden,
+      "aria-disabled": isActing.value || undefined,
+      ref: button,
+      onClick: press,
+    },
     children,
   );
 }

@@ -3,7 +3,7 @@
  * @import { LogView } from "types/api"
  */
 import { ApiError, FORBIDDEN } from "../../api.js";
-import { drawPage, Fragment, h, signal } from "../../preact.js";
+import { drawPage, Fragment, h, signal, useFocusWithin } from "../../preact.js";
 import { t } from "../../texts.js";
 import { Field, Selection } from "../../widgets/fields.js";
 import { exactMoment } from "../../widgets/format.js";
@@ -56,6 +56,7 @@ export async function show(app, root, { signal: left }) {
       filter("patient", [{ value: ALL, label: t("log-every-patient") }, ...codeOptions]),
     );
   const Rows = () => {
+    useFocusWithin(".log-rows"); // the button for older rows goes with the last of them
     const { entries, has_more: hasMore } = view.value;
     return h(
       Fragment,

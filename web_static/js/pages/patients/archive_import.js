@@ -62,12 +62,15 @@ export function archiveImport(app, onImported, left) {
     currentTarget.value = ""; // so that the same file can be chosen again
     if (file) run(file);
   };
-  const ImportButton = () =>
-    h(
+  const ImportButton = () => {
+    const isOff = step.value !== null;
+    const press = () => void (isOff || input.current?.click());
+    return h(
       "button",
-      { type: "button", class: "btn", disabled: step.value !== null, onClick: () => input.current?.click() },
+      { type: "button", class: "btn", "aria-disabled": isOff || undefined, onClick: press },
       t("import-go"),
     );
+  };
   const ImportCourse = () =>
     h(
       "div",

@@ -4,6 +4,7 @@
  * @import { PatientView } from "types/api"
  */
 import { ApiError } from "../../api.js";
+import { passFocus } from "../../focus.js";
 import { archiveImport } from "./archive_import.js";
 import { DeletionForm } from "./deletion_form.js";
 import { concerns } from "../../live/news.js";
@@ -226,6 +227,7 @@ function Row({ app, patient, here, actions: { open, remove, end, goOn } }) {
     patient.last_seen ? t("patients-last", { day: day(patient.last_seen) }) : t("patients-never"),
   ].join(" · ");
   const start = async () => {
+    if (isOpening.value) return;
     isOpening.value = true;
     await open(patient).finally(() => (isOpening.value = false));
   };
@@ -233,7 +235,7 @@ function Row({ app, patient, here, actions: { open, remove, end, goOn } }) {
   const changes = () =>
     isHere
       ? [
-          h("button", { key: "end", type: "button", class: "btn", onClick: end }, t("patients-end")),
+          h("button", { key: "end", type: "button", class: "btn", ref: passFocus, onClick: end }, t("patients-end")),
           h("button", { key: "go", type: "button", class: "btn go", onClick: goOn }, t("patients-go-on")),
         ]
       : [
@@ -244,6 +246,7 @@ function Row({ app, patient, here, actions: { open, remove, end, goOn } }) {
               type: "button",
               class: "icon-button",
               "aria-label": t("patients-delete", { code }),
+              ref: passFocus,
               onClick: () => remove(patient),
             },
             h(Icon, { name: "bin", size: 22 }),
@@ -254,7 +257,7 @@ function Row({ app, patient, here, actions: { open, remove, end, goOn } }) {
               key: "start",
               type: "button",
               class: `btn${here === null ? " go" : ""}`,
-              disabled: isOpening.value,
+              "aria-disabled": isOpening.value || undefined,
               onClick: start,
             },
             t("patients-start"),

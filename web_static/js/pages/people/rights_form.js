@@ -30,6 +30,7 @@ export function RightsForm({ patients, person, send, onClose }) {
   /** @param {SubmitEvent} event */
   const submit = async (event) => {
     event.preventDefault();
+    if (isSending.value) return;
     const entries = new FormData(/** @type {HTMLFormElement} */ (event.currentTarget));
     const name = String(entries.get("name") ?? "").trim();
     problem.value = "";
@@ -94,7 +95,11 @@ export function RightsForm({ patients, person, send, onClose }) {
     h(
       "div",
       { class: "spread" },
-      h("button", { class: "btn go", disabled: isSending.value }, t(person ? "people-rights-go" : "people-invite-go")),
+      h(
+        "button",
+        { class: "btn go", "aria-disabled": isSending.value || undefined },
+        t(person ? "people-rights-go" : "people-invite-go"),
+      ),
       h("button", { type: "button", class: "btn", onClick: onClose }, t("cancel")),
     ),
   );

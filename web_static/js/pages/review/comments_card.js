@@ -6,9 +6,9 @@
  * @typedef {ReturnType<typeof commentStore>} CommentStore
  */
 import { newestAnswer } from "../../live/newest_answer.js";
-import { createRef, h, useComputed, useOpening, useRef } from "../../preact.js";
+import { createRef, h, useComputed, useOpenForm, useOpening, useRef } from "../../preact.js";
 import { limitsOf } from "../../reference.js";
-import { EarlierTexts, TextForm, useOpenForm } from "../../results/written_texts.js";
+import { EarlierTexts, TextForm } from "../../results/written_texts.js";
 import { t } from "../../texts.js";
 import { moment, number } from "../../widgets/format.js";
 import { go } from "./play_bar.js";

@@ -6,6 +6,7 @@
  * @typedef {NonNullable<ReplayMoment["view"]>} ViewIn3d
  */
 import { ApiError, failureWords } from "../../api.js";
+import { passFocus } from "../../focus.js";
 import { newestWins } from "../../live/newest_wins.js";
 import { replayDrawn } from "../../plan/replay_plan.js";
 import { createRef, h, signal, useMemo, useRef, useSignal } from "../../preact.js";
@@ -83,7 +84,10 @@ function PictureIn3d({ picture: { frame, address, state, open, show } }) {
       "p",
       { class: "over-picture", role: "status" },
       message,
-      isClosed && [" ", h("button", { type: "button", class: "btn small", onClick: open }, t("replay-picture-again"))],
+      isClosed && [
+        " ",
+        h("button", { type: "button", class: "btn small", ref: passFocus, onClick: open }, t("replay-picture-again")),
+      ],
     ),
   );
 }

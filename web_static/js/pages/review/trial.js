@@ -25,9 +25,13 @@ export async function show(app, root, { signal: left, rest: [patient, , id] }) {
   const { trial } = read;
   app.setSubject({ code: trial.patient_code, sessions: [trial.session_number] });
   if (trial.status === "running") {
+    const lookWhetherOver = async () => {
+      const now = await app.api.get(`/trials/${id}`).catch(() => null);
+      if (!left.aborted && now && now.status !== "running") app.show();
+    };
     app.live.addEventListener(
       "changed",
-      ({ detail }) => concerns(detail, { what: ["trial"], trial: trial.id }) && app.show(),
+      ({ detail }) => void (concerns(detail, { what: ["trial"], trial: trial.id }) && lookWhetherOver()),
       { signal: left },
     );
     const title = t("review-running-title", { number: trial.number });

@@ -3,9 +3,9 @@
  * @import { NoteView } from "types/api"
  * @import { RecordStore } from "./store.js"
  */
-import { h } from "../../preact.js";
+import { h, useOpenForm } from "../../preact.js";
 import { limitsOf } from "../../reference.js";
-import { EarlierTexts, TextForm, useOpenForm } from "../../results/written_texts.js";
+import { EarlierTexts, TextForm } from "../../results/written_texts.js";
 import { t } from "../../texts.js";
 import { moment } from "../../widgets/format.js";
 

@@ -3,6 +3,7 @@
  * @import { ScaleView } from "types/api"
  * @import { RecordStore } from "./store.js"
  */
+import { passFocus } from "../../focus.js";
 import { h, useRef, useSignal } from "../../preact.js";
 import { textLimits } from "../../reference.js";
 import { t } from "../../texts.js";
@@ -40,6 +41,7 @@ function Row({ scale: { id, name, total, day: of }, store: { app, record, mayCha
     type: /** @type {const} */ ("button"),
     class: "btn small",
     "aria-label": t("record-scale-remove-label", { name, day: day(of) }),
+    ref: passFocus,
     onClick: () => change(() => app.api.remove(`/sessions/${record.value.id}/scales/${id}`)),
   };
   return h(

@@ -2,7 +2,7 @@
  * The sign-off of a session: signing with a second tap, the history, and for an owner unlocking with a reason.
  * @import { RecordStore } from "./store.js"
  */
-import { focusFirst, h, useSignal } from "../../preact.js";
+import { focusFirst, h, useOpenForm } from "../../preact.js";
 import { textLimits } from "../../reference.js";
 import { t } from "../../texts.js";
 import { Field } from "../../widgets/fields.js";
@@ -35,16 +35,16 @@ export function SignOffCard({ store }) {
 
 /** @param {{store: RecordStore}} buttons */
 function Signing({ store: { app, record, change } }) {
-  const isAsked = useSignal(false);
+  const { isOpen, open, close, buttonRef } = useOpenForm();
   const sign = async () => {
     if (await change(() => app.api.post(`/sessions/${record.value.id}/sign-off`), t("record-signed-done")))
       await app.toasts.attempt(() => app.readSession({ isOwn: true }));
   };
-  if (!isAsked.value)
+  if (!isOpen)
     return h(
       "div",
       { class: "spread" },
-      h("button", { type: "button", class: "btn go", onClick: () => (isAsked.value = true) }, t("record-sign-go")),
+      h("button", { type: "button", class: "btn go", ref: buttonRef, onClick: open }, t("record-sign-go")),
     );
   return h(
     "div",
@@ -54,14 +54,14 @@ function Signing({ store: { app, record, change } }) {
       "div",
       { class: "spread" },
       h("button", { type: "button", class: "btn go", ref: focusFirst, onClick: sign }, t("record-sign-yes")),
-      h("button", { type: "button", class: "btn", onClick: () => (isAsked.value = false) }, t("cancel")),
+      h("button", { type: "button", class: "btn", onClick: close }, t("cancel")),
     ),
   );
 }
 
 /** @param {{store: RecordStore}} buttons */
 function Unlocking({ store: { app, record, change } }) {
-  const isOpen = useSignal(false);
+  const { isOpen, open, close, buttonRef } = useOpenForm();
   /** @param {SubmitEvent} event */
   const submit = (event) => {
     event.preventDefault();
@@ -69,11 +69,11 @@ function Unlocking({ store: { app, record, change } }) {
     const reason = String(entries.get("reason")).trim();
     if (reason) change(() => app.api.post(`/sessions/${record.value.id}/unlock`, { reason }));
   };
-  if (!isOpen.value)
+  if (!isOpen)
     return h(
       "div",
       { class: "spread" },
-      h("button", { type: "button", class: "btn", onClick: () => (isOpen.value = true) }, t("record-unlock")),
+      h("button", { type: "button", class: "btn", ref: buttonRef, onClick: open }, t("record-unlock")),
     );
   return h(
     "form",
@@ -94,7 +94,7 @@ function Unlocking({ store: { app, record, change } }) {
       "div",
       { class: "spread" },
       h("button", { class: "btn" }, t("record-unlock-yes")),
-      h("button", { type: "button", class: "btn", onClick: () => (isOpen.value = false) }, t("cancel")),
+      h("button", { type: "button", class: "btn", onClick: close }, t("cancel")),
     ),
   );
 }

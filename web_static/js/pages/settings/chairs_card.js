@@ -3,6 +3,7 @@
  * @import { ChairsView, NewChair, PairedView } from "types/api"
  * @typedef {ChairsView["chairs"][number]} Chair
  */
+import { passFocus } from "../../focus.js";
 import { concerns } from "../../live/news.js";
 import { focusFirst, h, useLayoutEffect, useRef, useSignal } from "../../preact.js";
 import { t } from "../../texts.js";
@@ -21,6 +22,11 @@ export function ChairsCard({ app, first, isOwner, left }) {
   const unpairing = useSignal(/** @type {number | null} */ (null)); // id of the chair that somebody is about to unpair
   // What is open below the list: the form, or the key of the chair that was just paired.
   const opened = useSignal(/** @type {"form" | {answer: PairedView, chair: Required<NewChair>} | null} */ (null));
+  const wasOpened = useRef(false);
+  const open = () => {
+    opened.value = "form";
+    wasOpened.current = true;
+  };
   const close = () => void (opened.value = null);
   useUntilGone(left, (signal) =>
     app.live.addEventListener(
@@ -53,7 +59,7 @@ export function ChairsCard({ app, first, isOwner, left }) {
       isOwner &&
       h(
         "button",
-        { type: "button", class: "btn", onClick: () => (opened.value = "form") },
+        { type: "button", class: "btn", ref: wasOpened.current ? focusFirst : null, onClick: open },
         h(Icon, { name: "plus", size: 20 }),
         t("chairs-pair"),
       )
@@ -83,6 +89,7 @@ export function ChairsCard({ app, first, isOwner, left }) {
               class: "icon-button",
               "aria-label": t("chairs-unpair-label", { name: chair.name }),
               title: t("chairs-unpair"),
+              ref: passFocus,
               onClick: () => (unpairing.value = chair.id),
             },
             h(Icon, { name: "bin", size: 22 }),

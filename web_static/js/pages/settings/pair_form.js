@@ -21,6 +21,7 @@ export function PairForm({ app, onPaired, onClose }) {
   /** @param {Event} event */
   const submit = async (event) => {
     event.preventDefault();
+    if (isSending.value) return;
     const entered = new FormData(/** @type {HTMLFormElement} */ (event.currentTarget));
     const [name, host] = ["name", "host"].map((field) => String(entered.get(field)).trim());
     const chair = { name, host, port: Number(entered.get("port")), speeds: speeds.value };
@@ -75,7 +76,7 @@ export function PairForm({ app, onPaired, onClose }) {
     h(
       "div",
       { class: "spread" },
-      h("button", { class: "btn go", disabled: isSending }, t("pair-go")),
+      h("button", { class: "btn go", "aria-disabled": isSending.value || undefined }, t("pair-go")),
       h("button", { type: "button", class: "btn", onClick: onClose }, t("cancel")),
     ),
   );

@@ -15,7 +15,7 @@ export function PasswordCard({ app }) {
   const submit = async (event) => {
     event.preventDefault();
     const [before, after] = [old.current, chosen.current];
-    if (!before || !after) return;
+    if (!before || !after || isSending.value) return;
     problem.value = "";
     isSending.value = true;
     try {
@@ -46,7 +46,7 @@ export function PasswordCard({ app }) {
         h("input", { type: "password", autocomplete: "new-password", required: true, ref: chosen }),
       ),
       h("p", { class: "problem", role: "alert" }, problem),
-      h("div", {}, h("button", { class: "btn", disabled: isSending }, t("password-go"))),
+      h("div", {}, h("button", { class: "btn", "aria-disabled": isSending.value || undefined }, t("password-go"))),
     ),
   );
 }

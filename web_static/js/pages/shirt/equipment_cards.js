@@ -5,6 +5,7 @@
  * @import { ComponentChildren } from "../../preact.js"
  * @typedef {(call: Promise<EquipmentView>) => Promise<void>} Use waits for a change, then closes the form
  */
+import { giveFocus } from "../../focus.js";
 import { h, useLayoutEffect, useRef, useSignal } from "../../preact.js";
 import { t } from "../../texts.js";
 import { BodyForm, bodyWords } from "./body_form.js";
@@ -74,7 +75,9 @@ function Card({ store, name, words, startsOpen = false, form, children }) {
     changes.value++;
   };
   useLayoutEffect(() => {
-    if (changes.value) card.current?.scrollIntoView({ block: "nearest" }); // the page has become shorter
+    if (!changes.value) return;
+    giveFocus(card.current?.querySelector("summary"));
+    card.current?.scrollIntoView({ block: "nearest" }); // the page has become shorter
   }, [changes.value]);
   return h(
     "section",

@@ -1,4 +1,5 @@
 /** The sender of the frames of a shirt over the network; only a tap makes another sender the shirt. */
+import { passFocus } from "../../focus.js";
 import { h, useSignal } from "../../preact.js";
 import { t } from "../../texts.js";
 import { useUntilGone } from "../../widgets/made.js";
@@ -33,7 +34,13 @@ export function ShirtSender({ store: { app, left } }) {
     other &&
       h(
         "button",
-        { type: "button", class: "btn", "aria-describedby": "other-sender", onClick: () => use(other) },
+        {
+          type: "button",
+          class: "btn",
+          "aria-describedby": "other-sender",
+          ref: passFocus,
+          onClick: () => use(other),
+        },
         t("sender-use"),
       ),
   );

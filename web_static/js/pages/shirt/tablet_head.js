@@ -14,7 +14,9 @@ const end = signal(/** @type {(() => void) | null} */ (null));
 
 /** @param {{app: import("../../main.js").App}} tablet */
 export function TabletHead({ app }) {
+  const isOff = end.value !== null;
   const start = async () => {
+    if (isOff) return;
     if (!window.isSecureContext) return void (words.value = t("head-tablet-insecure"));
     if (!("DeviceOrientationEvent" in window)) return void (words.value = t("head-tablet-none"));
     /** @type {typeof DeviceOrientationEvent & {requestPermission?: () => Promise<string>}} asked for by Safari */
@@ -26,7 +28,11 @@ export function TabletHead({ app }) {
   return h(
     "div",
     { class: "spread" },
-    h("button", { type: "button", class: "btn", disabled: end.value !== null, onClick: start }, t("head-tablet-start")),
+    h(
+      "button",
+      { type: "button", class: "btn", "aria-disabled": isOff || undefined, onClick: start },
+      t("head-tablet-start"),
+    ),
     h("p", { class: "quiet small", role: "status" }, words.value),
   );
 }
