@@ -112,7 +112,7 @@ def test_an_open_session_is_not_signed_off_while_something_is_recorded(calibrate
     session = calibrated.session
     step = calibrated.good("GET", "/calibration")["steps"][0]["id"]
     calibrated.good("POST", f"/calibration/steps/{step}/start")
-    assert "then sign off." in calibrated.refused(409, "POST", f"/sessions/{session}/sign-off")
+    assert "A calibration step is running." in calibrated.refused(409, "POST", f"/sessions/{session}/sign-off")
     assert calibrated.session == session
     calibrated.good("POST", f"/calibration/steps/{step}/cancel")
     calibrated.good("POST", f"/sessions/{session}/sign-off")
