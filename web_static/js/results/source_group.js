@@ -26,12 +26,12 @@ export function firstGroup(trials) {
 
 /** A sign for trials that nobody drove by their own movements; null for worn ones. @param {SourceGroup} group */
 export function groupMark(group) {
-  return group === "worn" ? null : h("span", { class: "tag" }, t(`source-group-${group}`));
+  return group === "worn" ? null : h("span", { class: "tag source-mark" }, t(`source-group-${group}`));
 }
 
 /** The same sign as a component. @param {{group: SourceGroup}} mark */
 export function GroupMark({ group }) {
-  return group === "worn" ? null : draw("span", { class: "tag" }, t(`source-group-${group}`));
+  return group === "worn" ? null : draw("span", { class: "tag source-mark" }, t(`source-group-${group}`));
 }
 
 /**
