@@ -24,16 +24,18 @@ WIDTH = re.compile(r"\((min|max)-width: ?(\d+)px\)")  # in a media query
 PHYSICAL = {
     "it lies over a picture or a drawn plan, in which left is left": {
         "editor/editor.css": [".views"],
-        "pages/drive.css": [".place", ".mini", ".view-settings", ".page.filled .pace"],
+        "pages/drive.css": [".place", ".page.filled .pace"],
         "patient.css": [".patient .corner", ".patient .arrow"],
+        "plan/mini_plan.css": [".mini"],
+        "view/view_settings.css": [".view-settings"],
     },
     "it is a scale, or stands on one: as in charts, time and measures go from left to right": {
+        "charts/time_chart.css": [".cursor"],
         "pages/calibrate.css": [".evr > span"],
         "pages/chair.css": [".level-bar .fill", ".level-bar .mark"],
-        "pages/comments.css": [".comment-marks i"],
         "pages/controls.css": [".handles .live", ".handles .peak", ".handle", ".handle::after"],
         "pages/drive.css": [".leader-bar i"],
-        "pages/replay.css": [".event-marks i", ".cursor"],
+        "pages/review.css": [".comment-marks i", ".event-marks i"],
     },
     "it is the picture of the left or of the right eye": {"stereo.css": [""]},
 }

@@ -71,7 +71,7 @@ function boxAround(all) {
 }
 
 /**
- * A line as long as its metres are in a picture of some size; css/widgets/chart.css computes its length.
+ * A line as long as its metres are in a picture of some size; css/charts/chart.css computes its length.
  * @param {number} width m @param {number} height m
  */
 function scale(width, height) {
