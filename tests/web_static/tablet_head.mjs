@@ -45,7 +45,7 @@ const app = { live: { send: (message) => sent.push(message) } };
 const event = (alpha, beta, gamma) => Object.assign(new Event("deviceorientation"), { alpha, beta, gamma });
 const shown = () => {
   const [button, words] = TabletHead({ app }).props.children;
-  return { press: button.props.onClick, isDisabled: button.props.disabled, words: words.props.children };
+  return { press: button.props.onClick, isDisabled: button.props["aria-disabled"], words: words.props.children };
 };
 const press = async () => {
   await shown().press();

@@ -23,7 +23,7 @@ ALLOWED = {
     "pages/review/replay_view.js": {"toFixed"},  # a number for the server
     "shell/halt.js": {"toLowerCase"},  # the name of a fault, which is the same in every language
     "view/frame_rate.js": {"toFixed"},  # a number for the server
-    "widgets/fields.js": {"toFixed"},  # a number that is rounded, not shown
+    "widgets/setting.js": {"toFixed"},  # a number that is rounded, not shown
     "widgets/joint_words.js": {"toLowerCase"},  # the label of a layout, compared with the name of its joint
     "widgets/movement.js": {"toFixed"},  # numbers for the server
 }

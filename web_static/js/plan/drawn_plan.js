@@ -1,7 +1,7 @@
 /** The drawn plan: the floor around the chair from above, drawn by this page without WebGL. */
 import { t } from "../texts.js";
 import { h, set } from "../widgets/dom.js";
-import { repeatWhileHeld } from "../widgets/fields.js";
+import { repeatWhileHeld } from "../widgets/held_button.js";
 import { isPose } from "./floor_plan.js";
 import { planPicture } from "./plan_svg.js";
 

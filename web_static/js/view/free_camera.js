@@ -2,7 +2,7 @@
 import { limitsOf } from "../reference.js";
 import { t } from "../texts.js";
 import { h } from "../widgets/dom.js";
-import { repeatWhileHeld } from "../widgets/fields.js";
+import { repeatWhileHeld } from "../widgets/held_button.js";
 import { newestWins } from "../live/newest_wins.js";
 
 const SEND_EVERY = 50; // ms: twenty times a second

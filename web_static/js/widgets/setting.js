@@ -4,8 +4,8 @@
  */
 import { giveFocus } from "../focus.js";
 import { h, useLayoutEffect, useRef } from "../preact.js";
-import { nextStep, repeatWhileHeld } from "./fields.js";
 import { number } from "./format.js";
+import { repeatWhileHeld } from "./held_button.js";
 
 /**
  * @param {{title: string, hint?: string, note?: string, children?: ComponentChildren}} setting
@@ -44,6 +44,15 @@ export function Stepper({ label, value, low, high, step, digits, unit, onChange 
     h("output", { "aria-live": "off" }, `${number(value, digits)} ${unit}`.trim()),
     h(HeldButton, { label: `${label} +`, isOff: value >= high - step / 1000, onPress: () => turn(1) }, "+"),
   );
+}
+
+/**
+ * The number one step further, within its limits; each step leads to a whole number of steps.
+ * @param {number} value @param {1 | -1} direction @param {{low: number, high: number, step: number}} range
+ */
+function nextStep(value, direction, { low, high, step }) {
+  const next = Math.min(high, Math.max(low, Math.round((value + direction * step) / step) * step));
+  return Number(next.toFixed(6));
 }
 
 /**

@@ -11,7 +11,7 @@ import { computed, drawFoot, drawPage, Fragment, h, signal, useLayoutEffect, use
 import { urgency } from "../../shell/halt.js";
 import { t } from "../../texts.js";
 import { cross } from "../../widgets/control_cross.js";
-import { speedDial } from "../../widgets/dial.js";
+import { SpeedDial } from "../../widgets/dial.js";
 import { h as make } from "../../widgets/dom.js";
 import { clock, number } from "../../widgets/format.js";
 import { Made } from "../../widgets/made.js";
@@ -167,7 +167,7 @@ function SpeedCard({ store: { app, left, read, latest } }) {
       h(
         "div",
         { class: "spread" },
-        h(Made, { class: "in-place", left, make: (gone) => speedDial(app, gone) }),
+        h(SpeedDial, { app, left }),
         h("span", { class: "quiet small number" }, t("dial-up-to", { speed: number(highest, 2) })),
       ),
       h("p", { class: "quiet small" }, t("dial-hint")),

@@ -4,7 +4,7 @@
  */
 import { drawPage, Fragment, h, useFocusWithin, useRef } from "../../preact.js";
 import { t } from "../../texts.js";
-import { speedDial } from "../../widgets/dial.js";
+import { SpeedDial } from "../../widgets/dial.js";
 import { number } from "../../widgets/format.js";
 import { Made, useUntilGone } from "../../widgets/made.js";
 import { pads } from "../../widgets/pads.js";
@@ -45,12 +45,7 @@ function Trial({ store }) {
         "div",
         { class: "above-bar" },
         h(PlanOffer, { store }),
-        h(
-          "div",
-          { class: "hud dial-card" },
-          h("b", { class: "small" }, t("dial-title")),
-          h(Made, { class: "in-place", left, make: (gone) => speedDial(app, gone) }),
-        ),
+        h("div", { class: "hud dial-card" }, h("b", { class: "small" }, t("dial-title")), h(SpeedDial, { app, left })),
         h(Made, { class: "in-place", left, make: () => views.pad }),
         h(Made, { class: "in-place", left, make: () => picture.drawn.pad }),
       ),

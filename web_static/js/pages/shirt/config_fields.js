@@ -12,10 +12,11 @@
  * @typedef {{element: VNode<any> | null, isNarrow?: boolean, read: () => unknown}} FormField narrow ones stand side by side
  * @typedef {(schema: FieldSchema, value: any, around: Surroundings) => FormField} Maker makes a field that shows `value`
  */
-import { h } from "../../preact.js";
+import { h, useSignal } from "../../preact.js";
 import { t } from "../../texts.js";
-import { Field, segments, Selection, stepper, Toggle } from "../../widgets/fields.js";
+import { Field, Segments, Selection, Toggle } from "../../widgets/fields.js";
 import { unrounded } from "../../widgets/format.js";
+import { Stepper } from "../../widgets/setting.js";
 import { AddFile, FileField } from "./signal_files.js";
 
 const REPLAYED = new Set(["signals", "recording"]);
@@ -134,9 +135,13 @@ function flag({ title = "" }, value) {
 /** A whole number between − and +. @type {Maker} */
 function steps({ title = "", unit = "", minimum, maximum }, value) {
   let now = Number(value ?? minimum);
-  const onChange = (/** @type {number} */ next) => (now = next);
   const limits = { low: Number(minimum), high: Number(maximum), step: 1, digits: 0 };
-  return { element: row(title, stepper({ label: title, value: now, ...limits, unit, onChange })), read: () => now };
+  const Steps = () => {
+    const shown = useSignal(now);
+    const onChange = (/** @type {number} */ next) => void (now = shown.value = next);
+    return h(Stepper, { label: title, value: shown.value, ...limits, unit, onChange });
+  };
+  return { element: row(title, h(Steps, {})), read: () => now };
 }
 
 /** Choices of channels by their place in the layout of the shirt in use, 0 to 1. @type {Maker} */
@@ -147,9 +152,14 @@ function channels({ title = "", choices = [] }, value, { now, layout }) {
   if (all.length < LEAST_CHANNELS) return { element: null, read: () => names };
   const sets = choices.map(({ at }) => at.map((place) => all[Math.floor(place * all.length)]));
   const options = choices.map((choice, i) => ({ value: String(i), label: choice.title }));
-  const chosen = sets.findIndex((set) => set.length === names.length && set.every((name, i) => name === names[i]));
-  const choose = (/** @type {string} */ i) => (names = sets[Number(i)]);
-  return { element: row(title, segments(title, options, String(chosen), choose)), read: () => names };
+  const Sets = () => {
+    const chosen = useSignal(
+      sets.findIndex((set) => set.length === names.length && set.every((name, i) => name === names[i])),
+    );
+    const onChange = (/** @type {string} */ i) => void (names = sets[(chosen.value = Number(i))]);
+    return h(Segments, { label: title, options, chosen: String(chosen.value), onChange });
+  };
+  return { element: row(title, h(Sets, {})), read: () => names };
 }
 
 /** A file of signals that lies on the machine; without one, the server says what is missing. @type {Maker} */
@@ -182,13 +192,8 @@ function layoutFile({ title = "", description }, _value, { layout }) {
   return { element: h(Field, { label: title, hint: description }, input), read };
 }
 
-/** A line with a control that is made by hand. @param {string} title @param {HTMLElement} control */
-const row = (title, control) =>
-  h(
-    "div",
-    { class: "row", ref: (/** @type {HTMLElement | null} */ line) => line?.append(control) },
-    h("b", { class: "small" }, title),
-  );
+/** A line with a control. @param {string} title @param {VNode<any>} control */
+const row = (title, control) => h("div", { class: "row" }, h("b", { class: "small" }, title), control);
 
 /** @param {File} file @returns {Promise<ShirtLayout>} as far as the server accepts it */
 async function readDocument(file) {
