@@ -13,7 +13,7 @@ from app.scoring.measures import MeasureValues
 from app.scoring.path_measures import path_measures
 from app.world.collision import Collision
 from app.world.floorplan import Door, FloorPlan, PrescribedPath
-from app.world.kinematics import CHAIR_RADIUS
+from app.world.footprint import CHAIR_RADIUS
 from app.world.movers import Track
 from app.world.progress import CourseProgress, TaskProgress, TurnProgress, progress_of
 from app.world.scenery import Gap

@@ -16,7 +16,7 @@ from app.sentences import one_sentence
 from app.settings import data_folder
 from app.texts import Figure, Text, Value
 from app.world.clearance import Clearance
-from app.world.kinematics import CHAIR_RADIUS
+from app.world.footprint import CHAIR_RADIUS
 from app.world.movers import Mover
 from app.world.obstacles import Box, Cylinder, Obstacle, Point
 from app.world.path import Path

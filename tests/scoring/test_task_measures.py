@@ -11,7 +11,7 @@ from hypothesis import strategies as st
 from app.scoring.path_measures import path_measures
 from app.scoring.task_measures import task_measures
 from app.world.floorplan import FloorPlan
-from app.world.kinematics import CHAIR_RADIUS
+from app.world.footprint import CHAIR_RADIUS
 from app.world.scene import find_place
 
 LINE = ((0.0, 0.0), (6.0, 0.0))

@@ -1,4 +1,5 @@
 /** The plan as a picture on a grid. */
+import { REFERENCE } from "../reference.js";
 import { put, s, set } from "../widgets/dom.js";
 import { number } from "../widgets/format.js";
 import { t } from "../texts.js";
@@ -103,7 +104,7 @@ function items({ plan, chosen, wrong, at }, px) {
     each("movers", plan.movers, (one, more) => s("polyline", { class: `mover${more}`, points: points(one.points) })),
     each("paths", plan.paths, (one, more) => path(one, more, px)),
     chosen && itemOf(plan, chosen) && handles(plan, chosen, px),
-    at && s("circle", { class: "at", cx: at[0], cy: at[1], r: Math.max(0.32, 12 * px) }),
+    at && s("circle", { class: "at", cx: at[0], cy: at[1], r: Math.max(REFERENCE.numbers.chair_radius, 12 * px) }),
   ];
 }
 
@@ -136,18 +137,19 @@ function path(one, more, px) {
   const [goalX, goalY] = one.points[one.points.length - 1];
   const back = one.task?.kind === "back" ? Math.PI : 0;
   const heading = one.start_heading ?? Math.atan2(next[1] - y, next[0] - x) + back;
-  const tip = 26 * px;
+  const chair = REFERENCE.numbers.chair_radius;
+  const tip = chair + 26 * px;
   return s(
     "g",
     { class: `path${more}` },
     s("polyline", { points: points(one.points) }),
-    s("circle", { class: "start", cx: x, cy: y, r: 0.32 }),
+    s("circle", { class: "start", cx: x, cy: y, r: chair }),
     s("line", {
       class: "start-heading",
       x1: x,
       y1: y,
-      x2: x + Math.cos(heading) * (0.32 + tip),
-      y2: y + Math.sin(heading) * (0.32 + tip),
+      x2: x + Math.cos(heading) * tip,
+      y2: y + Math.sin(heading) * tip,
     }),
     s("circle", { class: "goal", cx: goalX, cy: goalY, r: one.goal_radius ?? 0.5 }),
   );
