@@ -24,7 +24,7 @@ from app.settings import Settings
 from app.store.access.visible_patients import NOBODY, VISIBLE_PATIENTS
 from app.store.database import Database
 from app.texts import Text
-from app.world.imports.options import MOST_PLAN_BYTES
+from app.world.imports.file_limits import MOST_PLAN_BYTES
 
 # Our pages run only scripts of this program. The 3D view has its own policy (view_bridge.py).
 PAGE_POLICY = "; ".join(

@@ -33,7 +33,7 @@ from app.texts import Text
 from app.world.cursor_task import CursorPlan
 from app.world.floorplan import FloorPlan
 from app.world.footprint import CHAIR_RADIUS
-from app.world.imports.options import MOST_PLAN_BYTES
+from app.world.imports.file_limits import MOST_PLAN_BYTES
 from app.world.scenery import Cone
 
 router = APIRouter(tags=["start"])
