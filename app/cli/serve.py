@@ -17,7 +17,8 @@ from app.cli.help_text import help_text
 from app.cli.port import bind, bind_here, proxy_network, public_name
 from app.clock import utc_now
 from app.files import write_atomically
-from app.network import HTTP_PORT, HTTPS_PORT, link
+from app.network import link
+from app.ports import HTTP_PORT, HTTPS_PORT
 from app.python_release import python_warning
 from app.realtime import collect_seldom
 from app.refusals import Refusal

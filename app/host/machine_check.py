@@ -13,7 +13,7 @@ from typing import Literal
 
 from app.clock import Clock
 from app.disk_room import LITTLE_ROOM, ROOM_TO_RECORD
-from app.network import HTTP_PORT, HTTPS_PORT
+from app.ports import HTTP_PORT, HTTPS_PORT
 from app.settings import PACKAGE
 from app.texts import Figure, Text
 
