@@ -5573,6 +5573,14 @@ export interface components {
             hour: number;
             with_keys: boolean;
             encrypted: boolean;
+            /**
+             * @default {
+             *       "daily": 7,
+             *       "weekly": 4,
+             *       "monthly": 6
+             *     }
+             */
+            kept: components["schemas"]["KeptView"];
             years: number | null;
             warning: string;
             clock: string;
@@ -6530,6 +6538,14 @@ export interface components {
             status: "applied" | "refused" | "unchanged";
             reason: string;
             label: string;
+        };
+        KeptView: {
+            /** @default 7 */
+            daily: number;
+            /** @default 4 */
+            weekly: number;
+            /** @default 6 */
+            monthly: number;
         };
         LanguageChoice: {
             language: string;
@@ -8123,6 +8139,7 @@ export type JointLines = components['schemas']['JointLines'];
 export type JointMap = components['schemas']['JointMap'];
 export type JointQuality = components['schemas']['JointQuality'];
 export type JointView = components['schemas']['JointView'];
+export type KeptView = components['schemas']['KeptView'];
 export type LanguageChoice = components['schemas']['LanguageChoice'];
 export type LatestPractice = components['schemas']['LatestPractice'];
 export type LeadingMeasures = components['schemas']['LeadingMeasures'];
