@@ -12,8 +12,6 @@ from app.faults import State
 from app.quantities import Document
 from app.scene.cameras import EyeSettings
 from app.scoring.measures import (
-    LEADING,
-    LEADING_OF_TESTS,
     REACHED_NAME,
     TEST_MEASURES,
     TRIAL_MEASURES,
@@ -24,6 +22,7 @@ from app.scoring.measures import (
     Word,
 )
 from app.scoring.task_measures import LEADER_NEAR
+from app.scoring.verdict.leading_measures import LEADING, LEADING_OF_TESTS
 from app.scoring.verdict.measure_verdict import FEWEST
 from app.speed_limits import FIRST_CHAIR_SPEEDS, Speeds
 from app.store.access.sign_ins import IDLE_FOR
