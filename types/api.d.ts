@@ -7007,12 +7007,26 @@ export interface components {
              *     }
              */
             first_speeds: components["schemas"]["Speeds"];
+            /** @default 2.6 */
+            wall_height: number;
             /** @default 0.1 */
             wall_thickness: number;
+            /** @default 1 */
+            door_width: number;
+            /** @default 0.75 */
+            obstacle_height: number;
             /** @default 0.15 */
             cone_radius: number;
             /** @default 0.5 */
             cone_height: number;
+            /** @default 0.5 */
+            goal_radius: number;
+            /** @default 180 */
+            time_limit: number;
+            /** @default 0.25 */
+            slowest_mean_speed: number;
+            /** @default 60 */
+            shortest_time_limit: number;
             /** @default 4401 */
             signed_out: number;
             /** @default 4409 */

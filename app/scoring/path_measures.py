@@ -12,6 +12,7 @@ from app.texts import Text
 from app.world.contacts import contact_rows
 from app.world.path import Path
 from app.world.progress import LineProgress
+from app.world.tasks import GOAL_RADIUS
 
 Numbers = NDArray[np.float64]
 Measures = dict[str, float | int | bool | None]
@@ -48,7 +49,7 @@ def path_measures(
     x: ArrayLike,
     y: ArrayLike,
     path_points: Sequence[Sequence[float]] | Numbers,
-    goal_radius: float = 0.5,
+    goal_radius: float = GOAL_RADIUS,
     *,
     in_contact: ArrayLike | None = None,
     contacts: ArrayLike | None = None,

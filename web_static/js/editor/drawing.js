@@ -88,7 +88,7 @@ function items({ plan, chosen, wrong, at }, px) {
    */
   const each = (list, all, draw) => (all ?? []).map((item, index) => draw(item, classes(list, index)));
   const area = plan.ground?.area;
-  const thickness = Math.max(plan.wall_thickness ?? 0.1, THINNEST * px);
+  const thickness = Math.max(plan.wall_thickness ?? REFERENCE.numbers.wall_thickness, THINNEST * px);
   return [
     area && s("rect", { class: "area", x: area[0], y: area[1], width: area[2] - area[0], height: area[3] - area[1] }),
     each("obstacles", plan.obstacles, (one, more) => obstacle(one, more)),
@@ -118,14 +118,14 @@ function obstacle(one, more) {
 
 /** @param {{position: Point, radius?: number}} item @param {string} name class */
 function round({ position: [x, y], radius }, name) {
-  return s("circle", { class: name, cx: x, cy: y, r: radius ?? 0.15 });
+  return s("circle", { class: name, cx: x, cy: y, r: radius ?? REFERENCE.numbers.cone_radius });
 }
 
 /**
  * A line as wide as a door or gap, across the way through it.
  * @param {{position: Point, width?: number, heading?: number}} item @param {string} name class
  */
-function across({ position: [x, y], width = 1, heading = 0 }, name) {
+function across({ position: [x, y], width = REFERENCE.numbers.door_width, heading = 0 }, name) {
   const along = heading + Math.PI / 2;
   const [dx, dy] = [(Math.cos(along) * width) / 2, (Math.sin(along) * width) / 2];
   return s("line", { class: name, x1: x - dx, y1: y - dy, x2: x + dx, y2: y + dy });
@@ -151,7 +151,7 @@ function path(one, more, px) {
       x2: x + Math.cos(heading) * tip,
       y2: y + Math.sin(heading) * tip,
     }),
-    s("circle", { class: "goal", cx: goalX, cy: goalY, r: one.goal_radius ?? 0.5 }),
+    s("circle", { class: "goal", cx: goalX, cy: goalY, r: one.goal_radius ?? REFERENCE.numbers.goal_radius }),
   );
 }
 
