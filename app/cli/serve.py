@@ -76,6 +76,7 @@ def serve(
     name: Name = None,
 ) -> None:
     """Open a clinic; its database and recordings are kept."""
+    from app.api.sign_in.set_up import VALID_FOR
     from app.cli.host.lan import Lan, bind_local, own_files
 
     collect_seldom()
@@ -118,7 +119,8 @@ def serve(
         if settings.setup_code is None:
             lines.append(opened)
         else:
-            lines += [Text("cli-setup-code", code=settings.setup_code), f"{opened}#setup={settings.setup_code}"]
+            printed = Text("cli-setup-code", code=settings.setup_code, minutes=round(VALID_FOR / 60))
+            lines += [printed, f"{opened}#setup={settings.setup_code}"]
         lines += [] if other_machines is None else other_machines.refresh()
         _run(settings, launch, listening, lines, other_machines)
     _leave()
