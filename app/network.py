@@ -1,14 +1,9 @@
-"""The standard ports, and how other machines reach the pages over https."""
+"""How other machines reach the pages over https: names, addresses and the certificate (ports: app/ports.py)."""
 
 from dataclasses import dataclass
 from datetime import datetime
-from typing import Final
 
 from app.texts import Text
-
-# The ports of a clinic when nobody chooses others.
-HTTP_PORT: Final = 8080  # for browsers on this machine, or a proxy
-HTTPS_PORT: Final = 8443  # for other machines; the same at every start: home screens and bookmarks keep it
 
 
 @dataclass(frozen=True, slots=True)

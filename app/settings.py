@@ -8,7 +8,8 @@ from dataclasses import dataclass, field
 from pathlib import Path
 from urllib.parse import urlsplit
 
-from app.network import HTTP_PORT, NetworkService
+from app.network import NetworkService
+from app.ports import HTTP_PORT
 
 ProxyNetwork = ipaddress.IPv4Network | ipaddress.IPv6Network
 PACKAGE = Path(__file__).parent

@@ -5573,6 +5573,14 @@ export interface components {
             hour: number;
             with_keys: boolean;
             encrypted: boolean;
+            /**
+             * @default {
+             *       "daily": 7,
+             *       "weekly": 4,
+             *       "monthly": 6
+             *     }
+             */
+            kept: components["schemas"]["KeptView"];
             years: number | null;
             warning: string;
             clock: string;
@@ -6531,6 +6539,14 @@ export interface components {
             reason: string;
             label: string;
         };
+        KeptView: {
+            /** @default 7 */
+            daily: number;
+            /** @default 4 */
+            weekly: number;
+            /** @default 6 */
+            monthly: number;
+        };
         LanguageChoice: {
             language: string;
         };
@@ -6991,12 +7007,26 @@ export interface components {
              *     }
              */
             first_speeds: components["schemas"]["Speeds"];
+            /** @default 2.6 */
+            wall_height: number;
             /** @default 0.1 */
             wall_thickness: number;
+            /** @default 1 */
+            door_width: number;
+            /** @default 0.75 */
+            obstacle_height: number;
             /** @default 0.15 */
             cone_radius: number;
             /** @default 0.5 */
             cone_height: number;
+            /** @default 0.5 */
+            goal_radius: number;
+            /** @default 180 */
+            time_limit: number;
+            /** @default 0.25 */
+            slowest_mean_speed: number;
+            /** @default 60 */
+            shortest_time_limit: number;
             /** @default 4401 */
             signed_out: number;
             /** @default 4409 */
@@ -8123,6 +8153,7 @@ export type JointLines = components['schemas']['JointLines'];
 export type JointMap = components['schemas']['JointMap'];
 export type JointQuality = components['schemas']['JointQuality'];
 export type JointView = components['schemas']['JointView'];
+export type KeptView = components['schemas']['KeptView'];
 export type LanguageChoice = components['schemas']['LanguageChoice'];
 export type LatestPractice = components['schemas']['LatestPractice'];
 export type LeadingMeasures = components['schemas']['LeadingMeasures'];

@@ -6,8 +6,8 @@ from fastapi.responses import JSONResponse
 from starlette.datastructures import Headers, MutableHeaders
 from starlette.types import ASGIApp, Receive, Scope, Send
 
-from app.api.guard import HEADERS
 from app.api.nearby import parsed_address
+from app.api.response_headers import HEADERS
 from app.settings import ProxyNetwork, Settings
 from app.texts import Text
 

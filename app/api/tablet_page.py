@@ -13,6 +13,7 @@ from starlette.types import Receive, Scope, Send
 from starlette.websockets import WebSocketClose
 
 from app.api.pages import ASK_AGAIN, read_entry
+from app.api.response_headers import TABLET_HEADERS, TABLET_POLICY
 from app.clock import utc_now
 from app.host.authority_files import apple_profile, root_pem
 from app.network import NetworkService
@@ -20,15 +21,6 @@ from app.settings import static_folder
 from app.texts import LANGUAGES, Text, current_language
 
 PAGE: Final = "tablet.html"
-HEADERS: Final = {
-    "X-Content-Type-Options": "nosniff",
-    "Referrer-Policy": "no-referrer",
-    "X-Frame-Options": "DENY",
-}
-POLICY: Final = (
-    "default-src 'none'; script-src 'self'; style-src 'self'; img-src 'self'; connect-src 'self' {https}; "
-    "frame-ancestors 'none'; form-action 'none'; base-uri 'none'"
-)
 NOTHING_ELSE: Final = Text("api-only-tablet-page")
 NO_ROOT: Final = Text("api-own-certificate")
 
@@ -46,7 +38,7 @@ class TabletPage:
             await WebSocketClose()(scope, receive, send)
             return
         answer = self._answer(scope)
-        answer.headers.update(HEADERS)
+        answer.headers.update(TABLET_HEADERS)
         await answer(scope, receive, send)
 
     def _answer(self, scope: Scope) -> Response:
@@ -66,7 +58,7 @@ class TabletPage:
         file = files[name]
         headers = {"Content-Type": file.kind, "Cache-Control": ASK_AGAIN, "Vary": "Accept-Language, Cookie"}
         if name == PAGE:
-            headers["Content-Security-Policy"] = POLICY.format(https=link.rstrip("/"))
+            headers["Content-Security-Policy"] = TABLET_POLICY.format(https=link.rstrip("/"))
         return Response(file.content, headers=headers)
 
     def _host(self, headers: Headers) -> str | None:

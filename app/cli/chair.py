@@ -11,7 +11,7 @@ from app.cli.help_text import help_text
 from app.cli.qr import terminal_code
 from app.file_modes import keep_new_files_private
 from app.hardware.chair import receive as receiver
-from app.hardware.chair.packet import PORT
+from app.ports import RECEIVER_PORT
 from app.refusals import Refusal
 from app.settings import Settings
 from app.texts import Text, text_of
@@ -41,7 +41,7 @@ def pair(
     *,
     name: Annotated[str, typer.Option(help=help_text("cli-help-chair-pair-name"))],
     host: Annotated[str, typer.Option(help=help_text("cli-help-chair-pair-host"))],
-    port: Annotated[int, typer.Option(min=1, max=65_535, help=help_text("cli-help-chair-pair-port"))] = PORT,
+    port: Annotated[int, typer.Option(min=1, max=65_535, help=help_text("cli-help-chair-pair-port"))] = RECEIVER_PORT,
     state: State = None,
     forward: Limit = None,
     reverse: Limit = None,

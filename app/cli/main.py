@@ -25,7 +25,7 @@ _COMMANDS: dict[str, tuple[str, ...]] = {
     "score": ("app.cli.score", "score", "cli-help-score", "cli-help-score-following"),
     "study": ("app.cli.study.study_command", "study", "cli-help-study"),
     "replay": ("app.cli.replay", "replay", "cli-help-replay"),
-    "check": ("app.cli.host.machine_check", "check", "cli-help-check"),
+    "check": ("app.cli.host.check_command", "check", "cli-help-check"),
     "service": ("app.cli.host.service", "service_app", "cli-help-service"),
     "shirt": ("app.cli.shirt", "shirt_app", "cli-help-shirt"),
     "chair": ("app.cli.chair", "chair_app", "cli-help-chair"),

@@ -15,7 +15,8 @@ from app.cli.common_options import COMMAND_LINE, AsJson, State, settings_of
 from app.cli.errors import InputError
 from app.cli.help_text import help_text
 from app.cli.qr import terminal_code
-from app.network import HTTP_PORT, link
+from app.network import link
+from app.ports import HTTP_PORT
 from app.refusals import Refusal
 from app.texts import Text, text_of
 

@@ -8,7 +8,7 @@ from urllib.parse import urlsplit
 
 from app.cli.errors import InputError
 from app.hardware.addresses import checked_host
-from app.network import HTTP_PORT
+from app.ports import HTTP_PORT
 from app.settings import ProxyNetwork
 from app.texts import Text
 

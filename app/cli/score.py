@@ -11,6 +11,7 @@ from app.cli.errors import InputError
 from app.cli.help_text import help_text
 from app.scoring.measures import CIRCUMSTANCES, REACHED, REACHED_NAME, TRIAL_MEASURES
 from app.texts import Text, text_of
+from app.world.tasks import GOAL_RADIUS
 
 if TYPE_CHECKING:
     from app.scoring.path_measures import Measures
@@ -28,7 +29,7 @@ FOLLOWING = ("dist_ratio", "e_diff", "cross_track_rms", "cross_track_max", "cros
 def score(
     trajectory: Annotated[Path, typer.Argument(metavar="TRAJECTORY", help=help_text("cli-help-score-trajectory"))],
     path: Annotated[Path, typer.Argument(metavar="PATH", help=help_text("cli-help-score-path"))],
-    goal_radius: Annotated[float, typer.Option(help=help_text("cli-help-score-goal-radius"))] = 0.5,
+    goal_radius: Annotated[float, typer.Option(help=help_text("cli-help-score-goal-radius"))] = GOAL_RADIUS,
     as_json: AsJson = False,
 ) -> None:
     """Score a driven trajectory against a prescribed path; s and m."""

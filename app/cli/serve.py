@@ -17,7 +17,8 @@ from app.cli.help_text import help_text
 from app.cli.port import bind, bind_here, proxy_network, public_name
 from app.clock import utc_now
 from app.files import write_atomically
-from app.network import HTTP_PORT, HTTPS_PORT, link
+from app.network import link
+from app.ports import HTTP_PORT, HTTPS_PORT
 from app.python_release import python_warning
 from app.realtime import collect_seldom
 from app.refusals import Refusal
@@ -75,6 +76,7 @@ def serve(
     name: Name = None,
 ) -> None:
     """Open a clinic; its database and recordings are kept."""
+    from app.api.sign_in.set_up import VALID_FOR
     from app.cli.host.lan import Lan, bind_local, own_files
 
     collect_seldom()
@@ -117,7 +119,8 @@ def serve(
         if settings.setup_code is None:
             lines.append(opened)
         else:
-            lines += [Text("cli-setup-code", code=settings.setup_code), f"{opened}#setup={settings.setup_code}"]
+            printed = Text("cli-setup-code", code=settings.setup_code, minutes=round(VALID_FOR / 60))
+            lines += [printed, f"{opened}#setup={settings.setup_code}"]
         lines += [] if other_machines is None else other_machines.refresh()
         _run(settings, launch, listening, lines, other_machines)
     _leave()

@@ -11,6 +11,7 @@ from app.cli.help_text import help_text
 from app.cli.qr import terminal_code
 from app.file_modes import keep_new_files_private
 from app.hardware.shirt import sender
+from app.ports import SHIRT_PORT
 from app.refusals import Refusal
 from app.settings import Settings
 from app.texts import Text, text_of
@@ -74,4 +75,4 @@ def _print_instructions(key: "Key", keys: Path) -> None:
     file = f"shirt-{key.id}.key"
     typer.echo(Text("cli-shirt-paired", path=str(keys / file), file=file))
     typer.echo(Text("cli-shirt-next", file=file))
-    typer.echo(f"bodydrive shirt send --key-file {file} --to HOST:{sender.STANDARD_ADDRESS.rpartition(':')[2]}")
+    typer.echo(f"bodydrive shirt send --key-file {file} --to HOST:{SHIRT_PORT}")

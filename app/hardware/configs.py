@@ -8,9 +8,9 @@ from typing import TYPE_CHECKING, Annotated, Any, Literal
 from pydantic import Field
 
 from app.hardware.addresses import FilePlace, Host, SerialLine
-from app.hardware.chair.packet import PORT
 from app.hardware.shirt import replay, simulator, udp
 from app.hardware.shirt.kind import ShirtConfig, ShirtKind
+from app.ports import FREEPIE_PORT, OPENTRACK_PORT, RECEIVER_PORT
 from app.quantities import Count, Document, Port, Title
 from app.speed_limits import Speeds
 
@@ -23,7 +23,6 @@ SHIRTS: Mapping[str, ShirtKind[Any]] = {kind.name: kind for kind in KINDS}
 """Every kind of shirt by its name."""
 
 ReceiverPort = Annotated[Port, Field(gt=0)]
-RECEIVER_PORT = PORT
 
 
 class PersonConfig(Document):
@@ -70,7 +69,7 @@ class OpentrackConfig(Document):
 
     kind: Literal["opentrack"]
     host: Host = "127.0.0.1"  # the address of this machine that the tracker sends to
-    port: Port = 4242  # 0: any free port
+    port: Port = OPENTRACK_PORT  # 0: any free port
 
 
 class FreepieConfig(Document):
@@ -78,7 +77,7 @@ class FreepieConfig(Document):
 
     kind: Literal["freepie"]
     host: Host = "127.0.0.1"
-    port: Port = 5555
+    port: Port = FREEPIE_PORT
 
 
 class FlockOfBirdsConfig(Document):

@@ -1,4 +1,4 @@
-"""The clinic's own certificate authority: what it makes, and the limits of what browsers accept from it.
+"""The clinic's own certificate authority: what it makes (how long it holds: certificate_times.py).
 
 A root, which people install on their tablets, signs an intermediate, and this signs the machine's certificate. The
 root carries name constraints (RFC 5280, 4.2.1.10): with its key, certificates can be made for this machine and for
@@ -15,13 +15,10 @@ from cryptography.hazmat.primitives import hashes, serialization
 from cryptography.hazmat.primitives.asymmetric import ec
 from cryptography.x509.oid import ExtendedKeyUsageOID, NameOID
 
+from app.host.certificate_times import BACKDATED, INTERMEDIATE_LIFE, LEAF_LIFE, ROOT_LIFE
 from app.host.machine import Machine, Network
 from app.texts import Text
 
-ROOT_LIFE = dt.timedelta(days=3653)
-INTERMEDIATE_LIFE = dt.timedelta(days=1096)
-LEAF_LIFE = dt.timedelta(days=397)  # browsers refuse more than 398 days
-BACKDATED = dt.timedelta(days=1)  # a tablet's clock may be a little late
 LONGEST_TITLE = 64  # bytes of a common name (RFC 5280, appendix A)
 
 # Private, link-local and loopback networks, and the names that no public name server answers (RFC 6762, 6761).
@@ -137,12 +134,6 @@ def certified(certificate: x509.Certificate) -> set[x509.GeneralName]:
         return set(certificate.extensions.get_extension_for_class(x509.SubjectAlternativeName).value)
     except x509.ExtensionNotFound:
         return set()
-
-
-def needs_renewal(certificate: x509.Certificate, now: dt.datetime) -> bool:
-    """Return whether less than a third of a certificate's time is left, or its time has not begun."""
-    start, end = certificate.not_valid_before_utc, certificate.not_valid_after_utc
-    return now < start or end - now < (end - start) / 3
 
 
 def signed_by(certificate: x509.Certificate, issuer: x509.Certificate) -> bool:

@@ -15,24 +15,22 @@ from app.clock import utc_now
 from app.file_modes import OWNER_FILE
 from app.files import write_atomically
 from app.host.authority import (
-    LEAF_LIFE,
     Identity,
     certified,
     make_intermediate,
     make_leaf,
     make_root,
-    needs_renewal,
     read_identity,
     signed_by,
     subjects_of,
 )
+from app.host.certificate_times import OWN_ENDS_SOON, ROOT_ENDS_SOON, needs_renewal
 from app.host.machine import Machine, this_machine
 from app.network import CertificateTrust
 from app.refusals import Refusal
 from app.texts import Text, text_of
 
 KEY = b"-----BEGIN PRIVATE KEY-----"
-SOON = dt.timedelta(days=14)
 
 MADE = Text("host-authority-made")
 REPLACED = Text("host-authority-replaced")
@@ -104,7 +102,7 @@ class LocalCertificate:
         if outside:
             messages.append(Text("host-authority-outside", names=", ".join(outside), file=str(self._root_file)))
         end = self._root.certificate.not_valid_after_utc
-        if end - self._now() < 2 * LEAF_LIFE:
+        if end - self._now() < ROOT_ENDS_SOON:
             messages.append(Text("host-authority-ends-soon", day=end.date(), file=str(self._root_file)))
         return messages
 
@@ -174,7 +172,7 @@ class OwnCertificate:
             self._check_time(self.trust)
         except Refusal as refusal:
             return [text_of(refusal)]
-        if self.trust.end - self._now() < SOON:
+        if self.trust.end - self._now() < OWN_ENDS_SOON:
             return [Text("host-certificate-ends-soon", file=str(self._files[0]), day=self.trust.end.date())]
         return []
 

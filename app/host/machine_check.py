@@ -11,9 +11,10 @@ from math import ceil
 from pathlib import Path
 from typing import Literal
 
-from app.clock import Clock
+from app.clock import Clock, MonotonicClock, utc_now
 from app.disk_room import LITTLE_ROOM, ROOM_TO_RECORD
-from app.network import HTTP_PORT, HTTPS_PORT
+from app.ports import HTTP_PORT, HTTPS_PORT
+from app.realtime import go_real_time
 from app.settings import PACKAGE
 from app.texts import Figure, Text
 
@@ -31,6 +32,23 @@ class Finding:
 
     verdict: Verdict
     message: Text
+
+
+def machine_findings(seconds: float, folder: Path, own_ports: Sequence[int], *, is_compiled: bool) -> list[Finding]:
+    """Measure what this machine grants, for `seconds`, and return all that was found.
+
+    `own_ports` are those of the clinic that asks; `is_compiled`: whether the control loop's calculations are.
+    """
+    real_time = real_time_findings([Text(message) for message in go_real_time()])
+    installed = datetime.fromtimestamp(install_time(), UTC)
+    return [
+        lateness_finding(measure_lateness(MonotonicClock(), seconds)),
+        *real_time,
+        disk_finding(free_room(folder)),
+        clock_finding(utc_now(), installed, is_kept=clock_is_kept()),
+        *(port_finding(port, is_own=bool(own_ports)) for port in own_ports or PORTS),
+        program_finding(is_compiled=is_compiled),
+    ]
 
 
 def measure_lateness(clock: Clock, seconds: float) -> list[float]:

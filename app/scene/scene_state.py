@@ -8,7 +8,7 @@ from app.scene.meshes import palette
 from app.scene.meshes.bodies import Mesh, Part, merged, standing_box, tube
 from app.scene.task_marks import later_parts, task_parts
 from app.world.floorplan import FloorPlan, PrescribedPath
-from app.world.kinematics import CHAIR_RADIUS
+from app.world.footprint import CHAIR_RADIUS
 from app.world.movers import Track
 from app.world.progress import TaskProgress, progress_of
 from app.world.scenery import Cone

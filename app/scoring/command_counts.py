@@ -1,4 +1,4 @@
-"""Counts of a trial: standstills, contacts, command pulses, changes of the turning direction."""
+"""Counts of a trial: standstills, command pulses, changes of the turning direction."""
 
 import numpy as np
 from numpy.typing import NDArray
@@ -10,7 +10,6 @@ STANDING = 0.05  # m/s; below, the chair stands; between the two limits its stat
 SHORTEST_STOP = 0.5  # s; a shorter standstill is not a stop
 ON = 0.10  # of a control; at this value or above, it is a command
 OFF = 0.05  # of a control; below, it is no command; between the two limits its state does not change
-NEW_CONTACT_AFTER = 0.25  # s without touching, after which the next touch is a new contact
 
 
 def standstills(speed: Numbers, sample_rate: float) -> int:
@@ -40,17 +39,6 @@ def reversals(control: Numbers) -> int:
     direction = left.astype(np.int8) - right.astype(np.int8)
     direction = direction[direction != 0]
     return int(np.count_nonzero(np.diff(direction)))
-
-
-def contact_beginnings(touching: NDArray[np.bool_], t: Numbers) -> int:
-    """Return how many contacts there were; a touch within 0.25 s of the last one belongs to that contact."""
-    return len(contact_rows(touching, t))
-
-
-def contact_rows(touching: NDArray[np.bool_], t: Numbers) -> NDArray[np.intp]:
-    """Return the rows in which a contact begins, of `touching` (n,) at the times `t` (n,) in s."""
-    rows = np.flatnonzero(touching)
-    return rows[np.diff(t[rows], prepend=-np.inf) >= NEW_CONTACT_AFTER]
 
 
 def _rises(on: NDArray[np.bool_]) -> int:

@@ -352,18 +352,6 @@ TEST_MEASURES: Final[dict[str, Measure]] = {
 }
 """The measures of a two-minute test."""
 
-LEADING: Final[tuple[tuple[tuple[str, ...], tuple[str, ...]], ...]] = (
-    (("stages_done",), ("stages_done", "time", "collisions")),
-    (("heading_error_deg",), ("heading_error_deg", "turn_drift", "time")),
-    (("follow_error_rms",), ("follow_error_rms", "follow_near", "e_diff")),
-    (("gaps", "gap_clearance"), ("gap_clearance", "e_diff", "time")),  # of a task with gaps, not at every door
-    (("cones_touched",), ("cones_touched", "e_diff", "time")),
-    ((), ("e_diff", "dist", "time")),
-)
-"""The measures that lead in a task, by what its trials have: the first row whose named measures are all there."""
-
-LEADING_OF_TESTS: Final = ("acquisitions_per_minute", "throughput", "first_entry")
-
 REACHED: Final = "reached"
 """Whether a trial reached its goal; of a session, the share of its trials that did. It stands beside the measures."""
 REACHED_NAME: Final = Text("measure-reached")

@@ -7,10 +7,12 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from app.scoring.command_counts import contact_beginnings, onsets, reversals, standstills
+from app.scoring.command_counts import onsets, reversals, standstills
 from app.texts import Text
+from app.world.contacts import contact_rows
 from app.world.path import Path
 from app.world.progress import LineProgress
+from app.world.tasks import GOAL_RADIUS
 
 Numbers = NDArray[np.float64]
 Measures = dict[str, float | int | bool | None]
@@ -47,7 +49,7 @@ def path_measures(
     x: ArrayLike,
     y: ArrayLike,
     path_points: Sequence[Sequence[float]] | Numbers,
-    goal_radius: float = 0.5,
+    goal_radius: float = GOAL_RADIUS,
     *,
     in_contact: ArrayLike | None = None,
     contacts: ArrayLike | None = None,
@@ -125,7 +127,7 @@ def _contact_measures(cut: Cut, t: Numbers, in_contact: ArrayLike | None, contac
     measures: Measures = {}
     if in_contact is not None:
         touching = _column("in_contact", in_contact, len(t))[: cut.last + 1] != 0
-        measures["collisions"] = contact_beginnings(touching, t[: cut.last + 1])
+        measures["collisions"] = len(contact_rows(touching, t[: cut.last + 1]))
         measures["contact_time"] = float(np.diff(t[: cut.last + 1])[touching[1:]].sum())
     if contacts is not None:
         measures["collisions"] = int(_column("contacts", contacts, len(t))[: cut.last + 1].max())

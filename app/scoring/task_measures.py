@@ -7,13 +7,12 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from app.geometry import Pose
-from app.scoring.command_counts import contact_beginnings, contact_rows
 from app.scoring.interruptions import driven_rows, interruption_measures, interruptions
 from app.scoring.measures import MeasureValues
 from app.scoring.path_measures import path_measures
 from app.world.collision import Collision
 from app.world.floorplan import Door, FloorPlan, PrescribedPath
-from app.world.kinematics import CHAIR_RADIUS
+from app.world.footprint import CHAIR_RADIUS
 from app.world.movers import Track
 from app.world.progress import CourseProgress, TaskProgress, TurnProgress, progress_of
 from app.world.scenery import Gap
@@ -67,6 +66,7 @@ def _no_interruption(rows: Columns) -> dict[str, Numbers]:
 
 
 def _measures(plan: FloorPlan, path: PrescribedPath, rows: Columns) -> MeasureValues:
+    rows = {**rows, "began": np.diff(rows["contacts"], prepend=0.0)}  # number of contacts that began in each row
     if isinstance(path.task, Course):
         return _course_measures(plan, path, rows)
     return _single_task_measures(plan, path, rows)
@@ -83,7 +83,7 @@ def _single_task_measures(plan: FloorPlan, path: PrescribedPath, rows: Columns) 
             "time": _duration(rows),
             "heading_error_deg": math.degrees(abs(progress.heading_error)),
             "turn_drift": float(np.hypot(rows["x"] - path.points[0][0], rows["y"] - path.points[0][1]).max()),
-            "collisions": contact_beginnings(rows["in_contact"] != 0, rows["t"]),
+            "collisions": int(rows["began"].sum()),
             "contact_time": _time_in_contact(rows),
         }
     else:
@@ -117,7 +117,7 @@ def _course_measures(plan: FloorPlan, path: PrescribedPath, rows: Columns) -> Me
     return {
         "time": _duration(rows),
         "dist": float(np.hypot(np.diff(rows["x"]), np.diff(rows["y"])).sum()),
-        "collisions": contact_beginnings(rows["in_contact"] != 0, rows["t"]),
+        "collisions": int(rows["began"].sum()),
         "contact_time": _time_in_contact(rows),
         **_scene_measures(plan, rows),
         "stages_done": sum(part["reached"] for part in parts),
@@ -128,8 +128,8 @@ def _course_measures(plan: FloorPlan, path: PrescribedPath, rows: Columns) -> Me
 
 
 def _path_measures(path: PrescribedPath, rows: Columns) -> MeasureValues:
-    names = ("in_contact", "contacts", "u1", "u2", "permitted", "restart")
-    extras = {name: rows[name] for name in names}
+    names = ("in_contact", "u1", "u2", "permitted", "restart")
+    extras = {"contacts": np.cumsum(rows["began"])} | {name: rows[name] for name in names}
     return dict(path_measures(rows["t"], rows["x"], rows["y"], path.points, path.goal_radius, **extras))
 
 
@@ -143,7 +143,7 @@ def _scene_measures(plan: FloorPlan, rows: Columns) -> MeasureValues:
         measures["gaps"] = len(plan.gaps)
     if plan.gaps or plan.doors:
         measures["gap_clearance"] = gap_clearance(plan, points)
-        measures["door_contacts"] = contacts_at_gaps(plan, points, rows["t"], rows["in_contact"] != 0)
+        measures["door_contacts"] = contacts_at_gaps(plan, points[rows["began"] > 0])
     return measures
 
 
@@ -195,9 +195,8 @@ def gap_clearance(plan: FloorPlan, points: Numbers) -> float | None:
     return max(0.0, min(clearances)) if clearances else None
 
 
-def contacts_at_gaps(plan: FloorPlan, points: Numbers, t: Numbers, touching: NDArray[np.bool_]) -> int:
-    """Return how many contacts began within 0.9 m of a gap or door; `touching` (n,) at the times `t` (n,) in s."""
-    began = points[contact_rows(touching, t)]
+def contacts_at_gaps(plan: FloorPlan, began: Numbers) -> int:
+    """Return how many contacts began within 0.9 m of a gap or door; `began` (n, 2) in m, where each one began."""
     near = np.zeros(len(began), dtype=np.bool_)
     for gap in _gaps(plan):
         near |= np.hypot(*(began - np.array(gap.position)).T) <= CONTACT_RADIUS

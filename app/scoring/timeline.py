@@ -30,7 +30,6 @@ WINDOW = 1.5  # m along the path, around the last place, that is searched for th
 LOST = 1.0  # m beside the path; when further, the whole path is searched
 DIGITS = 4  # after the decimal point: a tenth of a millimetre
 
-ONE_CONTACT = 0.5  # s; a touch within this time after a contact's beginning belongs to that contact
 
 Numbers = NDArray[np.float64]
 Column = list[float | None]  # None: unknown at that time
@@ -346,11 +345,7 @@ def _state_event(state: int, fault: int, t: float) -> Event:
 
 
 def _contacts(contacts: NDArray[np.generic], t: NDArray[np.float64]) -> list[Event]:
-    events: list[Event] = []
-    for row in np.flatnonzero(np.diff(contacts.astype(np.int64), prepend=0) > 0):
-        if not events or t[row] - events[-1].t > ONE_CONTACT:
-            events.append(_event(t[row], "contact"))
-    return events
+    return [_event(t[row], "contact") for row in np.flatnonzero(np.diff(contacts.astype(np.int64), prepend=0) > 0)]
 
 
 def _event(t: float, kind: EventKind) -> Event:

@@ -31,7 +31,7 @@ from app.session.calibration.step_check import advice_of, check_frames
 from app.texts import Text, text_of
 from app.world.floorplan import FloorPlan, PrescribedPath
 
-MEASURES_VERSION = 1  # measures of an older version are computed again
+MEASURES_VERSION = 2  # measures of an older version are computed again
 
 
 def check_recording(folder: Path, duration: float) -> Text | str | None:

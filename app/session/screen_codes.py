@@ -1,4 +1,4 @@
-"""Codes that pair a screen with the open session: one code at a time, valid once and for ten minutes."""
+"""Codes that pair a screen with the open session: one code at a time, valid once and for VALID_FOR."""
 
 import secrets
 import threading
@@ -16,7 +16,7 @@ CODE_LENGTH = 8
 LOOK_ALIKES = str.maketrans("OIL", "011")
 VALID_FOR = 600.0  # s
 
-WRONG = Text("visit-code-wrong")
+WRONG = Text("visit-code-wrong", minutes=round(VALID_FOR / 60))
 
 
 @dataclass(frozen=True, slots=True)

@@ -9,7 +9,7 @@ from typing import Final
 import numpy as np
 
 from app.world.floorplan import FloorPlan
-from app.world.kinematics import CHAIR_RADIUS
+from app.world.footprint import CHAIR_RADIUS
 from app.world.obstacles import Box, Cylinder
 
 NEAR: Final = 0.8  # m around the chair within which edges are cached; the cache is renewed after half of this distance

@@ -6,7 +6,7 @@ import math
 from collections.abc import Sequence
 from typing import Final
 
-from app.world.kinematics import CHAIR_RADIUS
+from app.world.footprint import CHAIR_RADIUS
 from app.world.movers import Mover, Track
 
 TOUCH: Final = 1e-3  # m; nearer than this counts as touching

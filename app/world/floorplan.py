@@ -16,12 +16,12 @@ from app.sentences import one_sentence
 from app.settings import data_folder
 from app.texts import Figure, Text, Value
 from app.world.clearance import Clearance
-from app.world.kinematics import CHAIR_RADIUS
+from app.world.footprint import CHAIR_RADIUS
 from app.world.movers import Mover
 from app.world.obstacles import Box, Cylinder, Obstacle, Point
 from app.world.path import Path
 from app.world.scenery import Cone, Gap, Ground, Lights
-from app.world.tasks import Back, Course, FollowLeader, FollowPath, Task, Turn
+from app.world.tasks import GOAL_RADIUS, Back, Course, FollowLeader, FollowPath, Task, Turn
 
 MAX_WALLS = 5000  # pieces of all walls: each is drawn, and compared with each movement of the chair
 MAX_LINE_POINTS = 2000  # points of all paths and movers: each piece of them is compared with every wall
@@ -61,7 +61,7 @@ class PrescribedPath(Document):
     name: Name
     title: Title
     points: Polyline
-    goal_radius: Length = 0.5  # m around the last point
+    goal_radius: Length = GOAL_RADIUS  # m around the last point
     time_limit: Seconds = 180.0
     instruction: Annotated[Line, Field(min_length=1, max_length=200)]
     start_heading: Radians | None = None  # along the path when not given

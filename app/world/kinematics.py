@@ -3,9 +3,6 @@
 # Compiled in a wheel (hatch_build.py).
 
 import math
-from typing import Final
-
-CHAIR_RADIUS: Final = 0.32  # m, of the chair's circular footprint: a powered chair is 0.64 m wide
 
 
 def unicycle(x: float, y: float, theta: float, v: float, omega: float, dt: float) -> tuple[float, float, float]:

@@ -1,10 +1,12 @@
 """The tasks along a path: follow it, follow a leader, turn on the spot, drive backwards, or a course of stages."""
 
-from typing import Annotated, Literal
+from typing import Annotated, Final, Literal
 
 from pydantic import Field
 
 from app.quantities import Document, Length, Line, Metres, Name, Radians, Seconds, Title
+
+GOAL_RADIUS: Final = 0.5  # m around the end of a path or a stage that does not say how near is near enough
 
 Points = Annotated[tuple[tuple[Metres, Metres], ...], Field(min_length=2, max_length=5000)]
 
@@ -47,7 +49,7 @@ class Stage(Document):
     title: Title
     instruction: Annotated[Line, Field(min_length=1, max_length=200)]
     points: Points
-    goal_radius: Length = 0.5  # m
+    goal_radius: Length = GOAL_RADIUS
     task: SimpleTask = FollowPath()
 
 

@@ -10,9 +10,11 @@ from typing import Any, NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
+from app.scoring.verdict.leading_measures import LEADING as LEADING_OF_TASKS
+
 Numbers = NDArray[np.float64]
 Row = dict[str, Any]
-LEADING = ("e_diff", "dist", "time")
+LEADING = LEADING_OF_TASKS[-1][1]  # along a path
 
 
 class Course(NamedTuple):

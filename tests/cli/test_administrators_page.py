@@ -10,6 +10,7 @@ import pytest
 from cli.answers import output_of
 from typer.main import get_command
 
+from app import ports
 from app.cli.main import COMMANDS, build
 from app.settings import Settings
 from app.store.database import Database
@@ -102,3 +103,6 @@ def test_the_files_and_ports_of_the_page_are_those_of_the_program(tmp_path):
     written = {settings.database.name, *(path.name for path in settings.state_paths)}
     assert written - {settings.state.name} <= set(re.findall(r"`([\w.-]+)/?`", table))
     assert f"TCP {settings.port} of {settings.host}" in text
+    assert f"TCP {ports.HTTPS_PORT} of all addresses" in text
+    assert f"shirt {ports.SHIRT_PORT}, head tracker {ports.OPENTRACK_PORT} or {ports.FREEPIE_PORT}," in text
+    assert f"UDP {ports.RECEIVER_PORT}; takes only commands" in text

@@ -19,11 +19,11 @@ from app.host.authority import (
     make_intermediate,
     make_leaf,
     make_root,
-    needs_renewal,
     read_identity,
     signed_by,
     subjects_of,
 )
+from app.host.certificate_times import needs_renewal
 from app.host.machine import Machine, certifiable, this_machine
 
 NOW = dt.datetime(2026, 5, 1, 12, tzinfo=dt.UTC)

@@ -18,7 +18,6 @@ SAME_SUBJECT = {
     "drives": "of a real chair: kept, the routes",
     "floorplan": "the document, the command",
     "limits": "of the clinic's owner: stored and loaded, the routes",
-    "machine_check": "what this machine grants: measured, the command",
     "control_quality": "how well a trial was controlled: measured, kept, the routes",
     "movers": "what moves by itself in a place: its motion, its meshes",
     "packet": "the datagram of a device: shirt, chair",

@@ -37,7 +37,8 @@ EXCEPTIONS: dict[str, tuple[str, ...]] = {
         "app.session.adaptation_reading",
         "app.world.imports.dxf_lines",
     ),
-    "the application puts its parts together; what a proxy says, and the answers to exceptions, are read apart": (
+    "the application puts its parts together; what surrounds every request, and the answers to exceptions, are apart": (
+        "app.api.guard",
         "app.api.proxy",
         "app.api.refusals",
     ),
@@ -48,6 +49,7 @@ EXCEPTIONS: dict[str, tuple[str, ...]] = {
         "app.world.imports.dxf",
         "app.world.imports.image",
     ),
+    "how large a request may be is read apart from whose page may ask": ("app.api.body_limits",),
     "what is accepted of foreign files is read apart from the routes of the clinic's own plans": (
         "app.api.routes.plan_uploads",
     ),

@@ -17,7 +17,7 @@ from app.scene.models.objects import Model
 from app.scene.scene_state import Cones
 from app.scene.task_marks import PATH_WIDTH, later_parts, task_parts
 from app.world.floorplan import bundled_floorplans, load_floorplan
-from app.world.kinematics import CHAIR_RADIUS
+from app.world.footprint import CHAIR_RADIUS
 from app.world.movers import Mover
 from app.world.obstacles import Box, Cylinder
 from app.world.scene import bundled_places

@@ -10,13 +10,12 @@ from app.scoring.measures import (
     CIRCUMSTANCES,
     EXPORTED,
     INTERRUPTIONS,
-    LEADING,
-    LEADING_OF_TESTS,
     REACHED,
     TEST_MEASURES,
     TRIAL_MEASURES,
 )
 from app.scoring.task_measures import task_measures
+from app.scoring.verdict.leading_measures import LEADING, LEADING_OF_TESTS
 from app.world.scene import bundled_places
 from folders import ROOT
 

@@ -11,7 +11,7 @@ from hypothesis import strategies as st
 from app.scoring.path_measures import path_measures
 from app.scoring.task_measures import task_measures
 from app.world.floorplan import FloorPlan
-from app.world.kinematics import CHAIR_RADIUS
+from app.world.footprint import CHAIR_RADIUS
 from app.world.scene import find_place
 
 LINE = ((0.0, 0.0), (6.0, 0.0))
@@ -73,7 +73,8 @@ def test_a_gap_not_passed_has_no_clearance_and_its_contacts_count():
     touching[[10, 55, 56, 57, 58, 70]] = 1  # at 0.5 m, 2.75 m and 3.5 m
     measures = task_measures(*plan_of(**gap_at(1.0)), ahead(end=2.5))
     assert measures["gap_clearance"] is None
-    measures = task_measures(*plan_of(**gap_at(1.0)), ahead(in_contact=touching, contacts=np.cumsum(touching)))
+    contacts = np.searchsorted([10, 55, 70], np.arange(121), side="right")
+    measures = task_measures(*plan_of(**gap_at(1.0)), ahead(in_contact=touching, contacts=contacts))
     assert measures["door_contacts"] == 2
     assert measures["contact_time"] == pytest.approx(6 * 0.05)
     assert measures["gaps"] == 1
@@ -82,7 +83,10 @@ def test_a_gap_not_passed_has_no_clearance_and_its_contacts_count():
 def test_a_contact_that_began_elsewhere_does_not_count_for_the_gap():
     sliding = np.zeros(121)
     sliding[10:70] = 1  # from 0.5 m on, along something, and through
-    assert task_measures(*plan_of(**gap_at(1.0)), ahead(in_contact=sliding))["door_contacts"] == 0
+    measures = task_measures(
+        *plan_of(**gap_at(1.0)), ahead(in_contact=sliding, contacts=np.maximum.accumulate(sliding))
+    )
+    assert (measures["collisions"], measures["door_contacts"]) == (1, 0)
 
 
 def test_rows_after_the_goal_do_not_count():
@@ -176,3 +180,14 @@ def test_a_course_is_measured_stage_by_stage():
     assert measures["parts"][0]["dist"] == pytest.approx(6, abs=0.6)
     assert measures["parts"][1]["reached"]
     assert "e_diff" not in measures
+
+
+def test_each_stage_of_a_course_counts_the_contacts_that_began_in_it():
+    x = np.concatenate([np.linspace(0, 6, 120), np.linspace(5.6, 4, 60)])
+    touching = np.zeros(180)
+    touching[[30, 31]] = touching[100:130] = 1  # the second contact goes on into the second stage
+    contacts = np.where(np.arange(180) < 30, 0, np.where(np.arange(180) < 100, 1, 2))
+    plan = find_place("skills.easy")
+    measures = task_measures(plan, plan.paths[0], rows(x, np.zeros(180), in_contact=touching, contacts=contacts))
+    assert [part.get("collisions") for part in measures["parts"][:3]] == [2, 0, 0]
+    assert measures["collisions"] == 2

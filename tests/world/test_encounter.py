@@ -5,7 +5,7 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from app.world.encounter import TOUCH, Encounters
-from app.world.kinematics import CHAIR_RADIUS
+from app.world.footprint import CHAIR_RADIUS
 from app.world.movers import Mover, Track
 
 STANDS = Mover(name="post", kind="ball", points=((2.0, 0.0), (3.0, 0.0)), pace=((0.0, 0.0),), radius=0.3)

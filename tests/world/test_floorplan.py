@@ -6,7 +6,11 @@ import pytest
 from pydantic import ValidationError
 from world.storey import storey
 
-from app.world.floorplan import FloorPlan, bundled_floorplans, load_floorplan
+from app.world.floorplan import MAX_WALLS, FloorPlan, bundled_floorplans, load_floorplan
+from app.world.footprint import CHAIR_RADIUS
+from app.world.imports.file_limits import MOST_PLAN_BYTES
+from app.world.imports.map_draft import NARROW
+from folders import ROOT
 
 
 def document(**changes):
@@ -142,3 +146,12 @@ def test_of_a_long_list_the_first_error_is_reported(walls):
     with pytest.raises(ValidationError) as refused:
         FloorPlan.model_validate_json(json.dumps({"name": "a", "title": "A", "walls": walls, "paths": []}))
     assert refused.value.error_count() <= 3
+
+
+def test_the_manual_has_the_numbers_of_the_program():
+    manual = (ROOT / "docs" / "floorplans.md").read_text(encoding="utf-8")
+    assert f"a circle of {CHAIR_RADIUS:g} m radius" in manual
+    first, second, last = NARROW[1:]
+    narrow = f"narrower than {first:g} m, {second:g} m, then {last:g} m close (a chair of {2 * CHAIR_RADIUS:g} m"
+    assert f"Above {MAX_WALLS} wall pieces a map is made simpler, and the import says so: spaces {narrow}" in manual
+    assert f"(`FILE.dxf`, at most {MOST_PLAN_BYTES // 1_000_000} MB)" in manual

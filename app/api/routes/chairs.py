@@ -11,8 +11,9 @@ from app.api.qr import qr_picture
 from app.api.sign_in.identity import SignedInPerson
 from app.hardware.addresses import Host
 from app.hardware.chair.key import Key
-from app.hardware.configs import RECEIVER_PORT, ReceiverPort
+from app.hardware.configs import ReceiverPort
 from app.news import News
+from app.ports import RECEIVER_PORT
 from app.quantities import Document, Title
 from app.session.equipment.chairs import Chairs, Dynamics
 from app.session.equipment.pairing import pair_chair, unpair_chair

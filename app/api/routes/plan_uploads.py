@@ -12,9 +12,9 @@ from fastapi import HTTPException, UploadFile
 from app.api.foreign_files import OneAtATime, read_or_refuse
 from app.api.routes.signal_uploads import harmless_name
 from app.texts import Text, current_language, from_document
-from app.world.imports.options import IMAGES, MAPS, MOST_PLAN_BYTES, SUFFIXES
+from app.world.imports.file_limits import MOST_MAP_BYTES, MOST_PLAN_BYTES
+from app.world.imports.options import IMAGES, MAPS, SUFFIXES
 
-LARGEST_MAP = 100_000  # bytes: a map's YAML file has six lines
 PICTURES = (*IMAGES, ".pgm")
 READER = "app.world.imports.plan_files"
 
@@ -54,7 +54,7 @@ def _keep(folder: Path, number: int, file: UploadFile) -> Path:
     if suffix not in (*SUFFIXES, *PICTURES):
         raise HTTPException(415, Text("api-wrong-plan-file", name=name, endings=", ".join((*SUFFIXES, ".pgm"))))
     content = file.file.read(MOST_PLAN_BYTES + 1)
-    if suffix in MAPS and len(content) > LARGEST_MAP:
+    if suffix in MAPS and len(content) > MOST_MAP_BYTES:
         raise HTTPException(413, Text("api-map-too-large", name=name))
     if len(content) > MOST_PLAN_BYTES:
         raise HTTPException(413, Text("api-plan-too-large", name=name, megabytes=MOST_PLAN_BYTES // 1_000_000))

@@ -12,8 +12,6 @@ from app.faults import State
 from app.quantities import Document
 from app.scene.cameras import EyeSettings
 from app.scoring.measures import (
-    LEADING,
-    LEADING_OF_TESTS,
     REACHED_NAME,
     TEST_MEASURES,
     TRIAL_MEASURES,
@@ -24,6 +22,7 @@ from app.scoring.measures import (
     Word,
 )
 from app.scoring.task_measures import LEADER_NEAR
+from app.scoring.verdict.leading_measures import LEADING, LEADING_OF_TESTS
 from app.scoring.verdict.measure_verdict import FEWEST
 from app.speed_limits import FIRST_CHAIR_SPEEDS, Speeds
 from app.store.access.sign_ins import IDLE_FOR
@@ -31,10 +30,13 @@ from app.store.files.replacements import KEPT_FOR
 from app.store.keeping.erasure import UNDO_FOR
 from app.texts import Text
 from app.world.cursor_task import CursorPlan
-from app.world.floorplan import FloorPlan
-from app.world.imports.options import MOST_PLAN_BYTES
-from app.world.kinematics import CHAIR_RADIUS
+from app.world.floorplan import Door, FloorPlan, PrescribedPath
+from app.world.footprint import CHAIR_RADIUS
+from app.world.imports.draft import SHORTEST_TIME, SLOWEST
+from app.world.imports.file_limits import MOST_PLAN_BYTES
+from app.world.obstacles import Box
 from app.world.scenery import Cone
+from app.world.tasks import GOAL_RADIUS
 
 router = APIRouter(tags=["start"])
 
@@ -68,9 +70,16 @@ class Numbers(Document):
     signal_to_noise: tuple[float, float] = SIGNAL_TO_NOISE_LIMITS  # from the first on strong, from the second on fair
     spread: tuple[float, float] = SPREAD_LIMITS  # of repetitions: up to the first well, up to the second fairly
     first_speeds: Speeds = FIRST_CHAIR_SPEEDS  # that the form of a new chair proposes
-    wall_thickness: float = FloorPlan.model_fields["wall_thickness"].default  # m, of a floor plan that does not give it
+    wall_height: float = FloorPlan.model_fields["wall_height"].default  # m, of a floor plan that does not give it
+    wall_thickness: float = FloorPlan.model_fields["wall_thickness"].default  # m, likewise
+    door_width: float = Door.model_fields["width"].default  # m, of a new door
+    obstacle_height: float = Box.model_fields["height"].default  # m, of a new box
     cone_radius: float = Cone.model_fields["radius"].default  # m, of a new cone
     cone_height: float = Cone.model_fields["height"].default  # m
+    goal_radius: float = GOAL_RADIUS  # m, of a new path
+    time_limit: float = PrescribedPath.model_fields["time_limit"].default  # s, of a path that does not give it
+    slowest_mean_speed: float = SLOWEST  # m/s, for which the time limit of a new path suffices
+    shortest_time_limit: float = SHORTEST_TIME  # s, of a new path
     signed_out: int = SIGNED_OUT  # close code of a socket whose sign-in has ended
     screen_in_use: int = TAKEN  # close code of a screen's socket: another one reports for that screen
     lock_minutes: int = round(IDLE_FOR.total_seconds() / 60)  # without an action, after which a sign-in is locked

@@ -17,7 +17,7 @@ from app.store.files.name_conflicts import SameName
 from app.store.files.replacements import ReplacedFiles
 from app.texts import Text
 
-LARGEST = 64_000_000  # bytes
+MOST_SIGNAL_BYTES = 64_000_000  # of a file
 HEADER = 65_536  # bytes of a CSV in which its first row must end
 KINDS = (".csv", ".parquet")
 KEPT = 100  # Parquet files of which the names are in memory: the list is asked for by every page
@@ -70,9 +70,9 @@ def keep_upload(
     safe = harmless_name(name)
     if Path(safe).suffix not in KINDS:
         raise HTTPException(415, Text("api-wrong-upload", name=safe))
-    data = content.read(LARGEST + 1)
-    if len(data) > LARGEST:
-        raise HTTPException(413, Text("api-upload-too-large", name=safe, megabytes=LARGEST // 1_000_000))
+    data = content.read(MOST_SIGNAL_BYTES + 1)
+    if len(data) > MOST_SIGNAL_BYTES:
+        raise HTTPException(413, Text("api-upload-too-large", name=safe, megabytes=MOST_SIGNAL_BYTES // 1_000_000))
     if not data:
         raise HTTPException(422, Text("api-upload-empty", name=safe))
     # Check before writing: an unreadable file must not replace a good one of the same name.

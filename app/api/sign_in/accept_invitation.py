@@ -9,13 +9,13 @@ from app.api.sign_in.auth import Code, Me, Password, let_in
 from app.api.sign_in.passwords import Passwords, weakness
 from app.api.sign_in.sign_in_limits import SignInLimits, address_of
 from app.quantities import Document
-from app.store.access.invitations import accept_invitation, find_invited
+from app.store.access.invitations import VALID_FOR, accept_invitation, find_invited
 from app.store.database import Database
 from app.texts import Text
 
 router = APIRouter(prefix="/auth/invitation", tags=["sign-in"], dependencies=[ForEveryone])
 
-WRONG = Text("api-link-wrong")
+WRONG = Text("api-link-wrong", hours=round(VALID_FOR.total_seconds() / 3600))
 
 
 class InvitationCode(Document):

@@ -14,6 +14,7 @@ from app.api.request_language import keep_language
 from app.api.sign_in.cookies import delete_cookie, read_cookie, set_cookie
 from app.api.sign_in.identity import COOKIE, SignedInPerson
 from app.api.sign_in.passwords import BROWSER_COOKIE, BROWSER_PATH, Passwords, weakness
+from app.api.sign_in.set_up import VALID_FOR
 from app.api.sign_in.sign_in_limits import address_of
 from app.api.who_asks import WhoAsks
 from app.quantities import Document, Line
@@ -189,7 +190,7 @@ async def make_first_owner(
     await run_in_threadpool(_check)
     attempt = await sign_in_limits.code(address_of(request))
     if not set_up.opens(body.code):
-        raise HTTPException(401, Text("api-set-up-code-wrong"))
+        raise HTTPException(401, Text("api-set-up-code-wrong", minutes=round(VALID_FOR / 60)))
     attempt.take_back()
     weak = weakness(body.name, body.password)
     if weak is not None:

@@ -9,7 +9,7 @@ VALID_FOR = 1800.0  # s
 
 
 class SetUp:
-    """Holds the set-up code of this start of the program, which is valid once, for 30 minutes."""
+    """Holds the set-up code of this start of the program, which is valid once, for VALID_FOR."""
 
     def __init__(self, code: str | None) -> None:
         self._code = code

@@ -8,7 +8,6 @@ import asyncio
 import gzip
 import hashlib
 import logging
-import re
 from collections.abc import Callable
 from contextlib import AbstractAsyncContextManager, suppress
 from typing import Any
@@ -19,6 +18,7 @@ from websockets.asyncio.client import ClientConnection, connect
 from websockets.exceptions import ConnectionClosed, InvalidHandshake
 from websockets.typing import Subprotocol
 
+from app.api.response_headers import view_headers
 from app.scene.bridge_secret import BRIDGE_HEADERS
 from app.scene.client_messages import SUBPROTOCOL, may_pass
 from app.scene.role_servers import Role
@@ -84,40 +84,12 @@ class ViewPage:
 
     def answer(self, request: Request) -> Response:
         """Return the page with its headers, or 304 when the browser has it."""
-        headers = page_headers(request.headers.get("host", ""), request.url.scheme) | {"ETag": self._tag}
+        headers = view_headers(request.headers.get("host", ""), request.url.scheme) | {"ETag": self._tag}
         if request.headers.get("if-none-match") == self._tag:
             return Response(status_code=304, headers=headers)
         if "gzip" in request.headers.get("accept-encoding", ""):
             return Response(self._packed, media_type="text/html", headers=headers | {"Content-Encoding": "gzip"})
         return Response(self._page, media_type="text/html", headers=headers)
-
-
-def page_headers(host: str, scheme: str) -> dict[str, str]:
-    """Return the headers of viser's page, with the policy that lets its scripts reach this host only.
-
-    viser's page opens any websocket that its address names; `connect-src` restricts it to this host.
-    """
-    sockets = "wss" if scheme == "https" else "ws"
-    ours = f" {sockets}://{host}" if re.fullmatch(r"[A-Za-z0-9.\-]+(:\d+)?|\[[0-9A-Fa-f:.]+\](:\d+)?", host) else ""
-    policy = {
-        "default-src": "'none'",
-        "script-src": "'unsafe-inline' 'wasm-unsafe-eval' blob:",
-        "worker-src": "blob: data:",
-        "style-src": "'unsafe-inline'",
-        "img-src": "'self' data: blob:",
-        "font-src": "data:",
-        "connect-src": f"'self'{ours} blob: data:",
-        "frame-ancestors": "'self'",
-        "base-uri": "'none'",
-        "form-action": "'none'",
-    }
-    return {
-        "Content-Security-Policy": "; ".join(f"{name} {value}" for name, value in policy.items()),
-        "Cache-Control": "private, no-cache",
-        "Vary": "Accept-Encoding",
-        "X-Content-Type-Options": "nosniff",
-        "Referrer-Policy": "no-referrer",
-    }
 
 
 async def bridge(websocket: WebSocket, role: Role, port: int) -> None:

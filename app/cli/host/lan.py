@@ -10,7 +10,8 @@ from typing import TYPE_CHECKING
 from app.cli.errors import InputError
 from app.cli.port import bind_free
 from app.cli.qr import terminal_code
-from app.network import HTTP_PORT, HTTPS_PORT, NetworkService
+from app.network import NetworkService
+from app.ports import HTTP_PORT, HTTPS_PORT
 from app.refusals import Refusal
 from app.texts import Text, text_of
 

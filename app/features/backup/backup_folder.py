@@ -9,11 +9,11 @@ the folder belongs to, and with which key it is encrypted; `erased-patients.json
 import json
 from collections.abc import Callable, Iterable
 from dataclasses import dataclass
-from datetime import UTC, datetime, timedelta
+from datetime import UTC, datetime
 from functools import partial
 from hashlib import sha256
 from pathlib import Path
-from typing import Any, Final
+from typing import Final
 
 from app.clock import utc_now
 from app.features.backup.age_files import Secret
@@ -28,6 +28,7 @@ from app.features.backup.backup_file import (
     write_part,
 )
 from app.features.backup.contents import BackupFile, Contents
+from app.features.backup.kept_backups import kept_backups
 from app.features.backup.manifest import Manifest, StoredFile
 from app.file_modes import OWNER_FILE
 from app.files import write_atomically
@@ -201,28 +202,3 @@ def _header(folder: Path) -> dict[str, str | None]:
     except (OSError, ValueError, KeyError, TypeError) as error:
         raise Refusal(Text("backups-header-unreadable", folder=str(folder), file=HEADER)) from error
     return {"clinic": clinic, "identity": identity}
-
-
-KEPT: Final[tuple[tuple[int, Callable[[datetime], Any]], ...]] = (
-    (7, lambda moment: moment.date()),
-    (4, lambda moment: moment.isocalendar()[:2]),
-    (6, lambda moment: (moment.year, moment.month)),
-)  # how many, and to which day, week or month a backup belongs
-ALL_DAYS_FOR: Final = timedelta(days=7)
-
-
-def kept_backups(moments: Iterable[datetime], passed: datetime) -> set[datetime]:
-    """Return the newest backup of each of the last 7 days, 4 weeks and 6 months that have one.
-
-    `passed` is up to when time has really passed. Where the clock was set forward, days that have not passed push none
-    out: the newest backup of each day is kept until 7 days have.
-    """
-    newest_first = sorted(moments, reverse=True)
-    moments_to_keep: set[datetime] = set()
-    for many, period_of in KEPT:
-        newest: dict[Any, datetime] = {}
-        for moment in newest_first:
-            newest.setdefault(period_of(moment), moment)
-        each = list(newest.values())
-        moments_to_keep |= {*each[:many], *(moment for moment in each if moment + ALL_DAYS_FOR > passed)}
-    return moments_to_keep

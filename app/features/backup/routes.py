@@ -13,6 +13,7 @@ from app.api.page_session import OF_CLINIC, OWN_NAME, any_session
 from app.api.parts import part
 from app.computing_process import ComputingProcess
 from app.features.backup.contents import clinic_mark
+from app.features.backup.kept_backups import DAILY, MONTHLY, WEEKLY
 from app.features.backup.made_backups import backup_warning, last_good_backup, newest_backups
 from app.features.backup.night_backups import NightBackups, backup_settings
 from app.features.backup.night_secret import keep_secret, opened_folder, read_secret
@@ -105,6 +106,14 @@ class IncidentView(Answer):
     patients: list[int]
 
 
+class KeptView(Document):
+    """How many backups of the folder stay."""
+
+    daily: int = DAILY
+    weekly: int = WEEKLY
+    monthly: int = MONTHLY
+
+
 class BackupsView(Document):
     """All of the page."""
 
@@ -112,6 +121,7 @@ class BackupsView(Document):
     hour: int
     with_keys: bool
     encrypted: bool
+    kept: KeptView = KeptView()
     years: int | None
     warning: str
     clock: str  # what the clock's jumps keep from being erased; empty: it goes on as time does

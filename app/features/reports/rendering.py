@@ -74,7 +74,7 @@ def _printable(value: Any, coverage: Coverage) -> Any:
     return [_printable(inner, coverage) for inner in value] if isinstance(value, list | tuple) else value
 
 
-POLICY = "default-src 'none'; style-src 'unsafe-inline'"  # the file loads nothing, whatever stands in it
+POLICY = "default-src 'none'; style-src 'unsafe-inline'"  # in the file itself: it loads nothing, whatever stands in it
 PAGES: dict[Paper, str] = {"a4": "A4", "us-letter": "letter"}
 
 

@@ -11,7 +11,6 @@ from typing import NamedTuple
 
 from app.hardware.chair.key import Key
 
-PORT = 5354  # UDP port of a receiver, unless another one is configured
 VERSION = 1
 COMMAND_MAGIC, TELEMETRY_MAGIC, HELLO_MAGIC = b"BMIW", b"BMIT", b"BMIH"
 DRIVE, STOP, VIRTUAL = 1, 2, 4  # flags of a command

@@ -18,11 +18,12 @@ from app.clock import Clock, MonotonicClock
 from app.hardware.chair.inputs import Inputs
 from app.hardware.chair.key import KeyRefused, read_key
 from app.hardware.chair.outputs import OUTPUTS, Output, OutputRefused, open_output
-from app.hardware.chair.packet import FRAME_BYTES, PORT
+from app.hardware.chair.packet import FRAME_BYTES
 from app.hardware.chair.reasons import DESCRIPTIONS, Reason
 from app.hardware.chair.receiver import OMEGA_MAX, V_MAX, Receiver
 from app.hardware.chair.telemetry_sender import TelemetrySender
 from app.hardware.shirt.sender_choice import Address
+from app.ports import RECEIVER_PORT
 from app.realtime import go_real_time
 
 RECEIVE_BUFFER = 1 << 20  # bytes: room for a command behind the datagrams of a flood that come while the loop sleeps
@@ -228,7 +229,12 @@ def _parser(program: str) -> argparse.ArgumentParser:
     add("--key-file", type=Path, required=True, metavar="FILE", help="what pairing made, readable by you only")
     add("--output", choices=list(OUTPUTS), required=True, help="what to drive")
     add("--bind", default="127.0.0.1", metavar="HOST", help="the address to listen on (default: this machine only)")
-    add("--port", type=_port, default=PORT, help=f"the port to listen on (default {PORT}); 0 takes a free one")
+    add(
+        "--port",
+        type=_port,
+        default=RECEIVER_PORT,
+        help=f"the port to listen on (default {RECEIVER_PORT}); 0 takes a free one",
+    )
     add("--v-max", type=_up_to(V_MAX), default=V_MAX, metavar="M_PER_S", help=f"at most {V_MAX:g}, the default")
     add("--omega-max", type=_up_to(OMEGA_MAX), default=OMEGA_MAX, metavar="RAD_PER_S", help=f"at most {OMEGA_MAX:g}")
     add("--paired", type=_host_and_port, metavar="HOST:PORT", help="where telemetry is sent at rest, too")

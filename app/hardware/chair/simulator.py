@@ -11,6 +11,7 @@ from app.speed_limits import HIGHEST_SPEEDS
 from app.texts import Figure, Text
 from app.world import dynamics, kinematics
 from app.world.collision import Collision
+from app.world.contacts import NEW_CONTACT_AFTER
 from app.world.dynamics import Motion, Wheelchair
 from app.world.encounter import Encounters
 from app.world.floorplan import FloorPlan
@@ -18,7 +19,6 @@ from app.world.floorplan import FloorPlan
 Dynamics = Literal["unicycle", "wheelchair"]
 
 LONGEST_STEP: Final = 0.1  # s: during a longer pause the chair does not drive on
-FREE_AGAIN: Final = 0.25  # s without touching after which the next touch is a new contact
 FASTEST: Final = 10.0  # m/s or rad/s: a faster twist, or a NaN, is no command of a wheelchair
 
 
@@ -58,7 +58,7 @@ class VirtualChair:
             raise ValueError(Text("chairdev-no-room", x=Figure(pose.x, 2), y=Figure(pose.y, 2)))
         self._motion = Motion(pose)
         self._contacts = 0
-        self._free_for = FREE_AGAIN
+        self._free_for = NEW_CONTACT_AFTER
         self.state = ChairState(pose.x, pose.y, pose.theta, 0.0, 0.0, False, 0)
 
     def drive(self, twist: Twist, dt: float, permitted: bool = False) -> ChairState:
@@ -87,7 +87,7 @@ class VirtualChair:
                 x, y, _ = self._collision.slide(last.x, last.y, x, y)  # along the person, but not into a wall
                 touching = True
         if touching:
-            if self._free_for >= FREE_AGAIN:
+            if self._free_for >= NEW_CONTACT_AFTER:
                 self._contacts += 1
             self._free_for = 0.0
             v = ((x - last.x) * math.cos(last.theta) + (y - last.y) * math.sin(last.theta)) / dt

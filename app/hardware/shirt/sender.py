@@ -20,6 +20,7 @@ from typing import NoReturn
 from app.clock import MonotonicClock
 from app.files import write_atomically
 from app.hardware.chair.key import Key, KeyRefused, read_key
+from app.ports import SHIRT_PORT
 
 HEADER = struct.Struct("<4sBBHIQ")  # magic, version, flags, channels, seq, device time in microseconds
 SIGNER = struct.Struct("<HQ")  # key id, boot counter
@@ -29,7 +30,7 @@ LARGEST_SEQ = 0xFFFFFFFF
 LARGEST_FILE = 64_000_000  # bytes
 LARGEST_SAMPLE = 3.4e38  # of a float32
 MOST_CHANNELS = 64
-STANDARD_ADDRESS = "127.0.0.1:5252"
+STANDARD_ADDRESS = f"127.0.0.1:{SHIRT_PORT}"
 DESCRIPTION = """Sends frames as a shirt does that was paired: each signed, counted, and never the same twice.
 Without --file the samples are slow waves."""
 

@@ -30,6 +30,7 @@ from app.hardware.shirt.packet import LONGEST, Packet, decode, decode_signed, re
 from app.hardware.shirt.sender_choice import Address, SenderChoice
 from app.hardware.shirt.standard import standard_layout
 from app.messages import ALIVE, SensorFrame
+from app.ports import SHIRT_PORT
 from app.quantities import Port
 from app.texts import Figure, Text, Value
 
@@ -52,7 +53,7 @@ class UdpConfig(ShirtConfig):
     kind: Literal["udp"]
     # The address of this machine that the shirt sends to.
     host: Annotated[Host, FieldTexts(Text("shirtdev-udp-host"))] = "127.0.0.1"
-    port: Annotated[Port, FieldTexts(Text("shirtdev-udp-port"))] = 5252  # 0: any free port
+    port: Annotated[Port, FieldTexts(Text("shirtdev-udp-port"))] = SHIRT_PORT  # 0: any free port
     sample_rate: ShirtRate = 100.0
     layout: LayoutFile = Field(default_factory=standard_layout)
     key_file: ShirtKey = None  # None: unsigned frames are accepted, and no real chair is armed

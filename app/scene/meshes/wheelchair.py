@@ -5,10 +5,11 @@ from typing import Final
 from app.scene.meshes import palette
 from app.scene.meshes.bodies import Mesh, Vector, ball, limb, merged, standing_box, tube, wheel
 from app.scene.meshes.palette import Colour
+from app.world.footprint import CHAIR_RADIUS
 
 DRIVE_WHEEL: Final = 0.17  # m, radius
 CASTOR: Final = 0.085
-HALF_WIDTH: Final = 0.29  # m, to the middle of a drive wheel; with the tyre the chair is 0.64 m wide
+HALF_WIDTH: Final = CHAIR_RADIUS - 0.03  # m, to the middle of a drive wheel, whose tyre ends at the footprint's edge
 SEAT: Final = 0.5  # m, height of the cushion's top
 
 

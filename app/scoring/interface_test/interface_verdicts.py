@@ -7,8 +7,9 @@ from typing import Any
 import numpy as np
 
 from app.quantities import Document
-from app.scoring.measures import LEADING_OF_TESTS, TEST_MEASURES
+from app.scoring.measures import TEST_MEASURES
 from app.scoring.verdict.detectable_change import LEVEL_OF_TESTS, variance_of
+from app.scoring.verdict.leading_measures import LEADING_OF_TESTS
 from app.scoring.verdict.measure_scales import least_spread, to_scale
 from app.scoring.verdict.measure_verdict import FEWEST, Difference, Verdict, verdicts_on
 from app.scoring.verdict.spread import OwnSpread, Series, Variance, own_spread

@@ -1,9 +1,21 @@
-"""The three measures that lead in a task: they alone carry a verdict, so that few words are wrong by chance."""
+"""The measures that lead in a task or a two-minute test: only they carry a verdict, so that few are wrong by chance."""
 
 from typing import Final
 
-from app.scoring.measures import LEADING, TRIAL_MEASURES
+from app.scoring.measures import TRIAL_MEASURES
 from app.scoring.verdict.measure_scales import Row, Rows
+
+LEADING: Final[tuple[tuple[tuple[str, ...], tuple[str, ...]], ...]] = (
+    (("stages_done",), ("stages_done", "time", "collisions")),
+    (("heading_error_deg",), ("heading_error_deg", "turn_drift", "time")),
+    (("follow_error_rms",), ("follow_error_rms", "follow_near", "e_diff")),
+    (("gaps", "gap_clearance"), ("gap_clearance", "e_diff", "time")),  # of a task with gaps, not at every door
+    (("cones_touched",), ("cones_touched", "e_diff", "time")),
+    ((), ("e_diff", "dist", "time")),
+)
+"""The measures that lead in a task, by what its trials have: the first row whose named measures are all there."""
+
+LEADING_OF_TESTS: Final = ("acquisitions_per_minute", "throughput", "first_entry")
 
 MOST_LEADING: Final = 3
 

@@ -1,4 +1,4 @@
-"""Invitations: links by which a person chooses a password, valid once and for 24 hours."""
+"""Invitations: links by which a person chooses a password, valid once and for VALID_FOR."""
 
 import hashlib
 import secrets

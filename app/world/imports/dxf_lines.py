@@ -14,7 +14,7 @@ from ezdxf.math import Matrix44, Vec3
 from ezdxf.xclip import XClip
 
 from app.texts import Text, text_of
-from app.world.imports.options import MOST_PLAN_BYTES
+from app.world.imports.file_limits import MOST_PLAN_BYTES
 from app.world.imports.wall_pieces import Point
 
 MOST_ENTITIES: Final = 200_000  # visited; those in a block count each time the block is placed

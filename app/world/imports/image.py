@@ -10,8 +10,9 @@ from PIL import Image, ImageOps, UnidentifiedImageError
 from app.texts import Figure, Text, text_of
 from app.world.imports.distances import joined
 from app.world.imports.draft import Draft
+from app.world.imports.file_limits import MOST_PLAN_BYTES
 from app.world.imports.map_draft import draft_of_map
-from app.world.imports.options import MOST_PLAN_BYTES, THRESHOLD
+from app.world.imports.options import THRESHOLD
 from app.world.imports.ros_map import OccupancyMap
 
 FORMATS: Final = ("PNG", "JPEG", "PPM")

@@ -11,6 +11,7 @@ from numpy.typing import NDArray
 
 from app.texts import Figure, Text
 from app.world.floorplan import MAX_WALLS
+from app.world.footprint import CHAIR_RADIUS
 from app.world.imports.distances import grown, joined, wall_distances
 from app.world.imports.draft import Draft, PlanDocument, path_document, plain_name
 from app.world.imports.inside import Inside, inside_of_building
@@ -20,7 +21,7 @@ from app.world.imports.route import Route, propose_route
 WALL_THICKNESS: Final = 0.02  # m; small, because the outline is the surface of the walls
 DECIMALS: Final = 4  # of a metre in the plan
 FINE: Final = 0.04  # m that a simplified wall may lie behind the surface; one cell where cells are larger
-NARROW: Final = (0.0, 0.1, 0.2, 0.6)  # m; spaces that a chair of 0.64 m cannot enter: closing them costs it no place
+NARROW: Final = (0.0, 0.1, 0.2, 2 * CHAIR_RADIUS - 0.04)  # m; no chair enters such spaces: closing them costs no place
 COARSEST: Final = 0.2  # m per cell; in coarser cells doorways close
 MOST_CORNERS: Final = 20 * MAX_WALLS  # of exact outlines, to be simplified: more do not become few enough
 TOO_MANY: Final = 4 * MAX_WALLS  # pieces, which only coarser cells make few enough

@@ -1,4 +1,4 @@
-"""Which files can become a floor plan, of which size, and the options of an import: what the file does not say."""
+"""Which files can become a floor plan, and the options of an import: what the file does not say."""
 
 from typing import Annotated, Final, Literal
 
@@ -10,7 +10,6 @@ MAPS: Final = (".yaml", ".yml")
 IMAGES: Final = (".png", ".jpg", ".jpeg")
 DRAWINGS: Final = (".dxf",)
 SUFFIXES: Final = (*MAPS, *IMAGES, *DRAWINGS)
-MOST_PLAN_BYTES: Final = 20_000_000  # of a file to import; of a plan itself: MAX_BYTES in floorplan.py
 THRESHOLD: Final = 0.6  # share of white from which on a pixel is free
 
 Scale = Annotated[float, Field(strict=True, allow_inf_nan=False, gt=0, le=1000)]

@@ -8,8 +8,8 @@ from scipy.ndimage import label
 from scipy.sparse import coo_matrix
 from scipy.sparse.csgraph import connected_components, dijkstra
 
+from app.world.footprint import CHAIR_RADIUS
 from app.world.imports.distances import joined, wall_distances
-from app.world.kinematics import CHAIR_RADIUS
 
 MARGIN = 0.04  # m beside the chair; no path is proposed through narrower passages
 CORNER = 0.71  # cells from a cell's middle to its corner

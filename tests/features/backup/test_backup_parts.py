@@ -8,9 +8,10 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from app.features.backup.backup_folder import kept_backups
+from app.features.backup.kept_backups import DAILY, MONTHLY, WEEKLY, kept_backups
 from app.features.backup.manifest import is_safe
 from app.features.backup.quiet_files import QuietReader
+from folders import ROOT
 
 FIRST, LAST = datetime(2020, 1, 1), datetime(2027, 1, 1)  # noqa: DTZ001  (hypothesis takes no other bounds)
 LONG_AFTER = LAST + timedelta(days=365)
@@ -35,6 +36,11 @@ def test_of_a_year_of_nights_seven_days_four_weeks_and_six_months_are_kept() -> 
     sundays = {datetime(2026, 12, day, 2) for day in (13, 20, 27)}  # noqa: DTZ001  (the fourth week is the present one)
     ends = {datetime(2026, month, day, 2) for month, day in ((7, 31), (8, 31), (9, 30), (10, 31), (11, 30))}  # noqa: DTZ001
     assert kept == days | sundays | ends
+
+
+def test_the_manual_names_as_many() -> None:
+    manual = (ROOT / "docs" / "administrators.md").read_text(encoding="utf-8")
+    assert f"{DAILY} daily, {WEEKLY} weekly and {MONTHLY} monthly backups stay" in manual
 
 
 @given(st.lists(st.datetimes(FIRST, LAST), unique=True, min_size=1, max_size=60), st.datetimes(FIRST, LAST))

@@ -56,6 +56,7 @@
  * @property {string} [name]
  * @typedef {Point[] | ItemFields} Item a wall is its points
  */
+import { REFERENCE } from "../reference.js";
 import { t } from "../texts.js";
 import { boundsOf, distance, distanceToLine, lengthOf, tidy } from "./geometry.js";
 
@@ -69,8 +70,6 @@ export const LISTS = /** @type {const} */ ([
   "gaps",
   "rooms",
 ]);
-const PACE = 0.25; // m/s, the mean speed for which the time limit of a new path suffices
-const SHORTEST_TIME = 60; // s
 
 /** @param {string} title @returns {Plan} */
 export function emptyPlan(title) {
@@ -190,7 +189,7 @@ export function newPath(plan, points) {
     name: number === 1 ? "main" : `path-${number}`,
     title: number === 1 ? t("editor-new-path-main") : t("editor-new-path", { number }),
     points,
-    goal_radius: 0.5,
+    goal_radius: REFERENCE.numbers.goal_radius,
     time_limit: timeFor(points),
     instruction: t("editor-new-instruction"),
   };
@@ -198,7 +197,8 @@ export function newPath(plan, points) {
 
 /** The time limit of a path for a slow driver. @param {Point[]} points @returns {number} s */
 export function timeFor(points) {
-  return Math.round(Math.max(SHORTEST_TIME, lengthOf(points) / PACE));
+  const { shortest_time_limit: shortest, slowest_mean_speed: slowest } = REFERENCE.numbers;
+  return Math.round(Math.max(shortest, lengthOf(points) / slowest));
 }
 
 /** The first number, from 1, whose name is free. @param {(number: number) => string} name @param {string[]} taken */

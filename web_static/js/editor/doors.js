@@ -82,9 +82,9 @@ export function changeDoor(plan, ref, place, width, reach) {
   return "problem" in made ? { ...made, plan, ref } : made;
 }
 
-/** A door, with the defaults of app/world/floorplan.py. @param {Plan} plan @param {Ref} ref */
+/** A door, with its defaults. @param {Plan} plan @param {Ref} ref */
 export function doorOf(plan, ref) {
-  const { position = [0, 0], width = 1, heading: through = 0 } = fieldsOf(plan, ref);
+  const { position = [0, 0], width = REFERENCE.numbers.door_width, heading: through = 0 } = fieldsOf(plan, ref);
   return { position, width, heading: through };
 }
 

@@ -1,4 +1,5 @@
 /** The plan as a picture on a grid. */
+import { REFERENCE } from "../reference.js";
 import { put, s, set } from "../widgets/dom.js";
 import { number } from "../widgets/format.js";
 import { t } from "../texts.js";
@@ -87,7 +88,7 @@ function items({ plan, chosen, wrong, at }, px) {
    */
   const each = (list, all, draw) => (all ?? []).map((item, index) => draw(item, classes(list, index)));
   const area = plan.ground?.area;
-  const thickness = Math.max(plan.wall_thickness ?? 0.1, THINNEST * px);
+  const thickness = Math.max(plan.wall_thickness ?? REFERENCE.numbers.wall_thickness, THINNEST * px);
   return [
     area && s("rect", { class: "area", x: area[0], y: area[1], width: area[2] - area[0], height: area[3] - area[1] }),
     each("obstacles", plan.obstacles, (one, more) => obstacle(one, more)),
@@ -103,7 +104,7 @@ function items({ plan, chosen, wrong, at }, px) {
     each("movers", plan.movers, (one, more) => s("polyline", { class: `mover${more}`, points: points(one.points) })),
     each("paths", plan.paths, (one, more) => path(one, more, px)),
     chosen && itemOf(plan, chosen) && handles(plan, chosen, px),
-    at && s("circle", { class: "at", cx: at[0], cy: at[1], r: Math.max(0.32, 12 * px) }),
+    at && s("circle", { class: "at", cx: at[0], cy: at[1], r: Math.max(REFERENCE.numbers.chair_radius, 12 * px) }),
   ];
 }
 
@@ -117,14 +118,14 @@ function obstacle(one, more) {
 
 /** @param {{position: Point, radius?: number}} item @param {string} name class */
 function round({ position: [x, y], radius }, name) {
-  return s("circle", { class: name, cx: x, cy: y, r: radius ?? 0.15 });
+  return s("circle", { class: name, cx: x, cy: y, r: radius ?? REFERENCE.numbers.cone_radius });
 }
 
 /**
  * A line as wide as a door or gap, across the way through it.
  * @param {{position: Point, width?: number, heading?: number}} item @param {string} name class
  */
-function across({ position: [x, y], width = 1, heading = 0 }, name) {
+function across({ position: [x, y], width = REFERENCE.numbers.door_width, heading = 0 }, name) {
   const along = heading + Math.PI / 2;
   const [dx, dy] = [(Math.cos(along) * width) / 2, (Math.sin(along) * width) / 2];
   return s("line", { class: name, x1: x - dx, y1: y - dy, x2: x + dx, y2: y + dy });
@@ -136,20 +137,21 @@ function path(one, more, px) {
   const [goalX, goalY] = one.points[one.points.length - 1];
   const back = one.task?.kind === "back" ? Math.PI : 0;
   const heading = one.start_heading ?? Math.atan2(next[1] - y, next[0] - x) + back;
-  const tip = 26 * px;
+  const chair = REFERENCE.numbers.chair_radius;
+  const tip = chair + 26 * px;
   return s(
     "g",
     { class: `path${more}` },
     s("polyline", { points: points(one.points) }),
-    s("circle", { class: "start", cx: x, cy: y, r: 0.32 }),
+    s("circle", { class: "start", cx: x, cy: y, r: chair }),
     s("line", {
       class: "start-heading",
       x1: x,
       y1: y,
-      x2: x + Math.cos(heading) * (0.32 + tip),
-      y2: y + Math.sin(heading) * (0.32 + tip),
+      x2: x + Math.cos(heading) * tip,
+      y2: y + Math.sin(heading) * tip,
     }),
-    s("circle", { class: "goal", cx: goalX, cy: goalY, r: one.goal_radius ?? 0.5 }),
+    s("circle", { class: "goal", cx: goalX, cy: goalY, r: one.goal_radius ?? REFERENCE.numbers.goal_radius }),
   );
 }
 

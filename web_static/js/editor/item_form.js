@@ -1,5 +1,6 @@
 /** The chosen item in numbers and words. */
 import { Fragment, h, useRef } from "../preact.js";
+import { REFERENCE } from "../reference.js";
 import { t } from "../texts.js";
 import { Field, Selection } from "../widgets/fields.js";
 import { number } from "../widgets/format.js";
@@ -41,6 +42,7 @@ export function ItemForm({ plan, chosen, models, acts }) {
 function FieldRows({ plan, chosen, models, acts }) {
   const { list, index } = chosen;
   const { radius, height, width, label } = fieldsOf(plan, chosen);
+  const usual = REFERENCE.numbers;
   switch (list) {
     case "paths":
       return h(PathRows, { path: plan.paths[index], acts });
@@ -50,11 +52,16 @@ function FieldRows({ plan, chosen, models, acts }) {
       return h(
         Fragment,
         {},
-        h(SizeRow, { name: "radius", label: t("editor-radius"), value: radius ?? 0.15, acts }),
-        h(SizeRow, { name: "height", label: t("editor-height"), value: height ?? 0.5, acts }),
+        h(SizeRow, { name: "radius", label: t("editor-radius"), value: radius ?? usual.cone_radius, acts }),
+        h(SizeRow, { name: "height", label: t("editor-height"), value: height ?? usual.cone_height, acts }),
       );
     case "doors":
-      return h(NumberRow, { label: t("editor-width"), value: width ?? 1, unit: "m", onChange: acts.door });
+      return h(NumberRow, {
+        label: t("editor-width"),
+        value: width ?? usual.door_width,
+        unit: "m",
+        onChange: acts.door,
+      });
     case "rooms":
       return h(LabelRow, { label, acts });
     default:
@@ -66,6 +73,7 @@ function FieldRows({ plan, chosen, models, acts }) {
 function PathRows({ path, acts }) {
   const { points, task } = path;
   const usualTime = timeFor(points);
+  const usual = REFERENCE.numbers;
   return h(
     Fragment,
     {},
@@ -88,10 +96,15 @@ function PathRows({ path, acts }) {
       maxlength: 200,
       onChange: (instruction) => acts.change({ instruction }),
     }),
-    h(SizeRow, { name: "goal_radius", label: t("editor-goal-radius"), value: path.goal_radius ?? 0.5, acts }),
+    h(SizeRow, {
+      name: "goal_radius",
+      label: t("editor-goal-radius"),
+      value: path.goal_radius ?? usual.goal_radius,
+      acts,
+    }),
     h(NumberRow, {
       label: t("editor-time-limit", { value: usualTime }),
-      value: path.time_limit ?? 180,
+      value: path.time_limit ?? usual.time_limit,
       unit: "s",
       onChange: (value) => acts.change({ time_limit: value ?? usualTime }),
     }),
@@ -108,7 +121,8 @@ function PathRows({ path, acts }) {
 /** @param {{one: ObstacleItem, models: ModelView[], acts: Acts}} rows */
 function ObstacleRows({ one, models, acts }) {
   const label = h(LabelRow, { label: one.label, acts });
-  const height = h(SizeRow, { name: "height", label: t("editor-height"), value: one.height ?? 0.75, acts });
+  const tall = one.height ?? REFERENCE.numbers.obstacle_height;
+  const height = h(SizeRow, { name: "height", label: t("editor-height"), value: tall, acts });
   if (one.kind === "cylinder") {
     const radius = h(SizeRow, { name: "radius", label: t("editor-radius"), value: one.radius, acts });
     return h(Fragment, {}, label, radius, height);

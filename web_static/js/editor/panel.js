@@ -90,13 +90,13 @@ function PlanForm({ plan, acts }) {
     }),
     h(NumberRow, {
       label: t("editor-wall-height"),
-      value: plan.wall_height ?? 2.6,
+      value: plan.wall_height ?? REFERENCE.numbers.wall_height,
       unit: "m",
       onChange: (wall_height) => acts.plan({ wall_height }),
     }),
     h(NumberRow, {
       label: t("editor-wall-thickness"),
-      value: plan.wall_thickness ?? 0.1,
+      value: plan.wall_thickness ?? REFERENCE.numbers.wall_thickness,
       unit: "m",
       onChange: (wall_thickness) => acts.plan({ wall_thickness }),
     }),

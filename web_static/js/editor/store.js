@@ -7,6 +7,7 @@
  * @typedef {ReturnType<typeof editorStore>} EditorStore
  */
 import { signal } from "../preact.js";
+import { REFERENCE } from "../reference.js";
 import { t } from "../texts.js";
 import { sendInMetres } from "../widgets/object_scale.js";
 import { sendUnderName } from "../widgets/same_name.js";
@@ -17,14 +18,13 @@ import { STEP } from "./geometry.js";
 import { addStep, newHistory, stepBack, stepForward } from "./history.js";
 import { finishLine } from "./tools.js";
 
-const DOOR = 1; // m, width of a new door
-
 /**
  * @param {import("../main.js").App} app
  * @param {{plan: Plan, models: ModelView[], left: AbortSignal, onChange: (plan: Plan) => void}} given
  */
 export function editorStore(app, { plan, models: first, left, onChange }) {
-  const state = signal(/** @type {State} */ ({ plan, tool: "move", pending: [], chosen: null, doorWidth: DOOR }));
+  const doorWidth = REFERENCE.numbers.door_width;
+  const state = signal(/** @type {State} */ ({ plan, tool: "move", pending: [], chosen: null, doorWidth }));
   const history = signal(newHistory(plan));
   const verdict = signal(/** @type {Verdict | null} */ (null));
   const models = signal(first);

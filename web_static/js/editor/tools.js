@@ -151,7 +151,7 @@ function boxBetween(a, b) {
     label: t("editor-new-box"),
     position: [tidy((a[0] + b[0]) / 2), tidy((a[1] + b[1]) / 2)],
     size: [side(0), side(1)],
-    height: 0.75,
+    height: REFERENCE.numbers.obstacle_height,
   };
 }
 

@@ -92,7 +92,7 @@ export function mover({ points: line, radius }, scale) {
   return { way: s("polyline", { class: "mover-way", points: points(line) }), body };
 }
 
-/** The chair true to size: the circle that touches things, seat and wheels, and an arrow ahead. */
+/** The chair: the circle that touches things, true to size; seat, wheels and an arrow ahead (m) show where it faces. */
 export function chairOutline() {
   return s(
     "g",

@@ -50,7 +50,7 @@ export function NightCard({ store: { app, view, change } }) {
     "section",
     { class: "card" },
     h("h2", {}, t("backup-place")),
-    h("p", { class: "quiet small" }, t("backup-kept")),
+    h("p", { class: "quiet small" }, t("backup-kept", { ...view.value.kept })),
     h(
       "form",
       { class: "stack", onSubmit: submit },

@@ -34,6 +34,7 @@ export function PairForm({ app, onPaired, onClose }) {
     }
     isSending.value = false;
   };
+  const usualPort = String(limitsOf("NewChair", "port").usual);
   const text = { type: "text", required: true, autocomplete: "off" };
   return h(
     "form",
@@ -52,13 +53,13 @@ export function PairForm({ app, onPaired, onClose }) {
     ),
     h(
       Field,
-      { label: t("pair-port"), hint: t("pair-port-hint") },
+      { label: t("pair-port"), hint: t("pair-port-hint", { port: usualPort }) },
       h("input", {
         name: "port",
         type: "number",
         required: true,
         ...numberLimits("NewChair", "port"),
-        defaultValue: String(limitsOf("NewChair", "port").usual),
+        defaultValue: usualPort,
       }),
     ),
     h(

@@ -8,12 +8,12 @@ api-not-signed-in = Sie sind nicht oder nicht mehr angemeldet. Melden Sie sich w
 api-reviewer-changes-nothing = Mitlesende lesen und kommentieren und ändern sonst nichts. Bitten Sie eine verantwortliche Person um mehr Rechte.
 api-reviewer-exports-nothing = Mitlesende geben keine Dokumentation aus der Klinik heraus. Bitten Sie eine Fachkraft um einen Bericht oder einen Export.
 api-only-owners = Nur Verantwortliche können das ändern. Fragen Sie eine verantwortliche Person.
-api-link-wrong = Dieser Link ist falsch, wurde schon verwendet oder ist älter als 24 Stunden. Bitten Sie eine verantwortliche Person um einen neuen.
+api-link-wrong = Dieser Link ist falsch, wurde schon verwendet oder ist älter als { $hours } Stunden. Bitten Sie eine verantwortliche Person um einen neuen.
 api-person-disabled = Diese Person darf sich nicht mehr anmelden. Fragen Sie eine verantwortliche Person.
 api-no-demonstration = Dies ist keine Vorführung. Melden Sie sich mit Ihrem Namen und Ihrem Passwort an.
 api-other-demonstration = Dieser Link gehört zu einer anderen Vorführung. Öffnen Sie den Link, der zuletzt ausgegeben wurde.
 api-set-up-already = Diese Klinik ist schon eingerichtet. Melden Sie sich mit Ihrem Namen und Ihrem Passwort an.
-api-set-up-code-wrong = Dieser Code ist falsch, wurde schon verwendet oder ist älter als 30 Minuten. Starten Sie das Programm neu, um einen neuen zu erhalten.
+api-set-up-code-wrong = Dieser Code ist falsch, wurde schon verwendet oder ist älter als { $minutes } Minuten. Starten Sie das Programm neu, um einen neuen zu erhalten.
 api-passwords-not-checked = Passwörter können gerade nicht geprüft werden. Versuchen Sie es noch einmal.
 api-sign-in-wrong = Name oder Passwort ist falsch. Versuchen Sie es noch einmal, oder bitten Sie eine verantwortliche Person um ein neues Passwort.
 # $name is the name of the person who is signed in.

@@ -120,7 +120,7 @@ cli-scan = Scannen Sie diesen Code mit einem Tablet, oder öffnen Sie dort die A
 cli-scan-again = Die Adresse dieses Rechners hat sich geändert. Scannen Sie diesen Code mit einem Tablet, oder öffnen Sie dort die Adresse darunter:
 cli-demo-opened = Eine Vorführung, nichts wird aufbewahrt. Strg-C beendet sie.
 cli-serve-opened = Die Klinik in { $folder }. Strg-C beendet das Programm.
-cli-setup-code = Einrichtungscode für die erste verantwortliche Person, gültig 30 Minuten: { $code }
+cli-setup-code = Einrichtungscode für die erste verantwortliche Person, gültig { $minutes } Minuten: { $code }
 cli-control-process-failed = Der Steuerungsprozess kann nicht gestartet werden ({ $reason }). Schließen Sie andere Programme, und versuchen Sie es dann noch einmal.
 cli-control-process-ended = Der Steuerungsprozess ist nicht gestartet, deshalb gibt es nichts zu zeigen. Lesen Sie die Meldungen oben, und versuchen Sie es noch einmal.
 # $kind is the name of an error in Python, $problem what it says

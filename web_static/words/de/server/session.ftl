@@ -9,7 +9,7 @@ visit-shirt-silent = Das Shirt sendet keine Signale. Die Seite „Shirt“ zeigt
 visit-calibrated-unworn = Die Kalibrierung des Patienten stammt von einem Shirt, das niemand trug. Kalibrieren Sie zuerst mit dem getragenen Shirt.
 visit-calibrated-in-another = Der Patient wurde mit einem anderen Shirt kalibriert. Kalibrieren Sie zuerst mit diesem.
 visit-calibrated-at-another-rate = Das Shirt sendet mit einer anderen Abtastrate als bei der Kalibrierung. Kalibrieren Sie zuerst neu.
-visit-code-wrong = Dieser Code ist falsch, wurde schon verwendet oder ist älter als 10 Minuten. Bitten Sie um einen neuen, er steht auf der Seite der Fachkraft.
+visit-code-wrong = Dieser Code ist falsch, wurde schon verwendet oder ist älter als { $minutes } Minuten. Bitten Sie um einen neuen, er steht auf der Seite der Fachkraft.
 
 # $now and $page are whole sentences: which session is open now, and what the page shows.
 visit-another-session = { $now } { $page }

@@ -8,12 +8,12 @@ api-not-signed-in = You are not signed in, or no longer: sign in again.
 api-reviewer-changes-nothing = A reviewer reads and comments, and changes nothing else: ask an owner for more rights.
 api-reviewer-exports-nothing = A reviewer takes no records out of the clinic: ask a clinician for a report or an export.
 api-only-owners = Only an owner of the clinic changes this: ask one.
-api-link-wrong = This link is wrong, was used, or is older than 24 hours: ask an owner for a new one.
+api-link-wrong = This link is wrong, was used, or is older than { $hours } hours: ask an owner for a new one.
 api-person-disabled = This person may no longer sign in: ask an owner.
 api-no-demonstration = This is not a demonstration: sign in with your name and password.
 api-other-demonstration = This link belongs to another demonstration: open the link that was printed last.
 api-set-up-already = This clinic is set up already: sign in with your name and password.
-api-set-up-code-wrong = This code is wrong, used or older than 30 minutes: restart the program for a new one.
+api-set-up-code-wrong = This code is wrong, used or older than { $minutes } minutes: restart the program for a new one.
 api-passwords-not-checked = Passwords cannot be checked at this moment: try again.
 api-sign-in-wrong = Name or password is wrong: try again, or ask an owner for a new password.
 # $name is the name of the person who is signed in.

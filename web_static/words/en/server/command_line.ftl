@@ -120,7 +120,7 @@ cli-scan = On a tablet, scan this code, or open the address below it:
 cli-scan-again = This machine's address has changed. On a tablet, scan this code, or open the address below it:
 cli-demo-opened = A demonstration, kept nowhere. Ctrl-C ends it.
 cli-serve-opened = The clinic in { $folder }. Ctrl-C ends it.
-cli-setup-code = Set-up code, for the first owner, within 30 minutes: { $code }
+cli-setup-code = Set-up code, for the first owner, within { $minutes } minutes: { $code }
 cli-control-process-failed = The control process cannot be started ({ $reason }): close other programs, then try again.
 cli-control-process-ended = The control process did not start, so there is nothing to show: look at the messages above and try again.
 # $kind is the name of an error in Python, $problem what it says

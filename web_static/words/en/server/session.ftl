@@ -9,7 +9,7 @@ visit-shirt-silent = The shirt sends no signals: the Shirt page says what arrive
 visit-calibrated-unworn = The patient's calibration is one of a shirt that nobody wore: calibrate in the worn shirt first.
 visit-calibrated-in-another = The patient was calibrated in another shirt: calibrate in this one first.
 visit-calibrated-at-another-rate = The shirt sends at another rate than it was calibrated at: calibrate again first.
-visit-code-wrong = This code is wrong, used or older than 10 minutes: ask for a new one from the clinician's page.
+visit-code-wrong = This code is wrong, used or older than { $minutes } minutes: ask for a new one from the clinician's page.
 
 # $now and $page are whole sentences: which session is open now, and what the page shows.
 visit-another-session = { $now } { $page }

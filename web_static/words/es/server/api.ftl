@@ -8,12 +8,12 @@ api-not-signed-in = Su acceso no está abierto, o ya no lo está: entre de nuevo
 api-reviewer-changes-nothing = Un revisor lee y comenta, y no cambia nada más: pida más permisos a un administrador.
 api-reviewer-exports-nothing = Un revisor no saca ningún historial de la clínica: pida un informe o una exportación a un profesional.
 api-only-owners = Solo los administradores de la clínica cambian esto: pídaselo a uno de ellos.
-api-link-wrong = Este enlace es incorrecto, ya se usó o tiene más de 24 horas: pida uno nuevo a un administrador.
+api-link-wrong = Este enlace es incorrecto, ya se usó o tiene más de { $hours } horas: pida uno nuevo a un administrador.
 api-person-disabled = Esta persona ya no puede entrar: consulte a un administrador.
 api-no-demonstration = Esto no es una demostración: entre con su nombre y contraseña.
 api-other-demonstration = Este enlace es de otra demostración: abra el último enlace que mostró el programa.
 api-set-up-already = Esta clínica ya está configurada: entre con su nombre y contraseña.
-api-set-up-code-wrong = Este código es incorrecto, ya se usó o tiene más de 30 minutos: reinicie el programa para obtener uno nuevo.
+api-set-up-code-wrong = Este código es incorrecto, ya se usó o tiene más de { $minutes } minutos: reinicie el programa para obtener uno nuevo.
 api-passwords-not-checked = En este momento no se pueden comprobar las contraseñas: inténtelo de nuevo.
 api-sign-in-wrong = El nombre o la contraseña no son correctos: inténtelo de nuevo, o pida una contraseña nueva a un administrador.
 # $name is the name of the person who is signed in.

@@ -120,7 +120,7 @@ cli-scan = En una tableta, escanee este código, o abra la dirección que está 
 cli-scan-again = La dirección de este equipo ha cambiado. En una tableta, escanee este código, o abra la dirección que está debajo:
 cli-demo-opened = Una demostración, que no se guarda en ningún sitio. Ctrl-C la termina.
 cli-serve-opened = La clínica de { $folder }. Ctrl-C la cierra.
-cli-setup-code = Código de configuración, para el primer administrador, durante 30 minutos: { $code }
+cli-setup-code = Código de configuración, para el primer administrador, durante { $minutes } minutos: { $code }
 cli-control-process-failed = No se puede iniciar el proceso de control ({ $reason }): cierre otros programas e inténtelo de nuevo.
 cli-control-process-ended = El proceso de control no se inició, así que no hay nada que mostrar: vea los mensajes de arriba e inténtelo de nuevo.
 # $kind is the name of an error in Python, $problem what it says

@@ -9,7 +9,7 @@ visit-shirt-silent = La camiseta no envía señales: la página Camiseta indica 
 visit-calibrated-unworn = La calibración del paciente es de una camiseta que no llevaba nadie: calibre primero con la camiseta puesta.
 visit-calibrated-in-another = La calibración del paciente se hizo con otra camiseta: calibre primero con esta.
 visit-calibrated-at-another-rate = La camiseta no envía con la frecuencia con la que se calibró: primero calibre de nuevo.
-visit-code-wrong = Este código es incorrecto, ya se usó o tiene más de 10 minutos: pida uno nuevo de la página del profesional.
+visit-code-wrong = Este código es incorrecto, ya se usó o tiene más de { $minutes } minutos: pida uno nuevo de la página del profesional.
 
 # $now and $page are whole sentences: which session is open now, and what the page shows.
 visit-another-session = { $now } { $page }

@@ -1,6 +1,7 @@
 """Who may send a large body is decided before it is read; size, time and number of them are limited."""
 
 import asyncio
+import re
 from types import SimpleNamespace
 
 import pytest
@@ -9,10 +10,11 @@ from hypothesis import given
 from hypothesis import strategies as st
 from starlette.requests import HTTPConnection
 
-from app.api import guard
+from app.api import body_limits
+from app.api.body_limits import BODY_LIMIT, FIRST, LIMITS, MOST_AT_ONCE, SLOWEST, SMALL, Bodies
 from app.api.deps import NOBODY
-from app.api.guard import BODY_LIMIT, FIRST, LIMITS, MOST_AT_ONCE, SLOWEST, SMALL, Bodies
 from app.store.database import Database
+from folders import ROOT
 
 PIECE = 10_000  # bytes
 FILES = "/api/v1/equipment/files"
@@ -63,7 +65,7 @@ def asks(monkeypatch):
     """Return a function that says who is signed in."""
 
     def use(who):
-        monkeypatch.setattr(guard, "find_sign_in", lambda _database, _connection: who)
+        monkeypatch.setattr(body_limits, "find_sign_in", lambda _database, _connection: who)
 
     use(None)
     return use
@@ -88,7 +90,7 @@ def test_nobody_s_bodies_are_small_and_everybody_s_have_an_end(pieces, announced
     sent = Sent(pieces, length=pieces * PIECE if announced else None, path=path)
     limit = LIMITS.get(path, BODY_LIMIT)
     with pytest.MonkeyPatch.context() as patch:
-        patch.setattr(guard, "find_sign_in", lambda _database, _connection: None)
+        patch.setattr(body_limits, "find_sign_in", lambda _database, _connection: None)
         found = status(sent)
     size = pieces * PIECE
     assert found == (200 if size <= SMALL else 413 if announced and size > limit else 401)
@@ -112,7 +114,7 @@ def test_a_few_large_bodies_are_read_at_once(asks):
 
 @pytest.mark.parametrize("length", [10, 60_000])
 def test_a_body_that_does_not_come_is_given_up(monkeypatch, length):
-    monkeypatch.setattr(guard, "FIRST", 0.05)
+    monkeypatch.setattr(body_limits, "FIRST", 0.05)
     assert status(Sent(None, length=length, path="/api/v1/auth/sign-in")) == 408
 
 
@@ -144,3 +146,19 @@ def test_the_routes_keep_it(clinic):
     assert (refused.status_code, refused.json()["detail"]) == (401, str(NOBODY))
     assert clinic("POST", "/floorplans/check", content=b" " * 100_000).status_code == 401
     assert clinic("POST", "/auth/demo", json={"code": "x" * 100_000}).status_code == 401
+
+
+def test_the_proxies_of_the_manual_pass_on_what_is_allowed():
+    archives = "/api/v1/archives"
+    others = max(limit for path, limit in LIMITS.items() if path != archives)
+    bytes_of = {"m": 1 << 20, "g": 1 << 30, "MB": 10**6, "GB": 10**9}  # nginx counts in powers of two
+    for name, pattern in (
+        ("proxy/nginx.conf", r"client_max_body_size (\d+)(\w+);"),
+        ("proxy/Caddyfile", r"max_size (\d+)(\w+)"),
+        ("administrators.md", r"(?:bodies of |\()(\d+) (MB|GB)(?= \(| for `/api/v1/archives`)"),
+    ):
+        text = (ROOT / "docs" / name).read_text(encoding="utf-8")
+        passed = sorted(int(number) * bytes_of[unit] for number, unit in re.findall(pattern, text))
+        assert len(passed) == 2, name
+        assert passed[0] >= others, name
+        assert passed[1] >= LIMITS[archives], name
