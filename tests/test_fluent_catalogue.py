@@ -60,7 +60,8 @@ def ids_of(argument: ast.expr, known: dict[str, set[str]]) -> list[str] | None:
     if isinstance(argument, ast.Constant):
         return [name for name in (str(argument.value),) if name in known]
     if isinstance(argument, ast.JoinedStr):
-        return [name for name in known if pattern_of(argument).fullmatch(name)]
+        pattern = pattern_of(argument)
+        return [name for name in known if pattern.fullmatch(name)]
     return None
 
 
