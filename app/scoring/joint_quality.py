@@ -148,7 +148,7 @@ def map_fit(values: Numbers, moving: Flags, weights: Numbers, sample_rate: float
     if not moved.any():
         return None
     pca = JointPCA(range(len(weights))).fit(moved)
-    first = pca.components_[0]
+    first = pca.direction
     explained = float(pca.explained_variance_ratio_ @ (pca.components_ @ weights) ** 2)
     return MapFit(
         angle_deg=angle_between(first, weights),
