@@ -73,6 +73,8 @@ class Tick:
     chair_state: int = 0  # from its telemetry: 0 disarmed, 1 checking neutral, 2 armed, 3 fault
     chair_fault: int = 0  # from its telemetry: app.hardware.chair.reasons.Reason
     stop_input: int = 0  # 1: the chair's own stop switch is pressed
+    own_joystick: int = 0  # 1: somebody moves the chair's own joystick
+    measured: int = 0  # 1: the chair measures driven_v and driven_omega; 0: they are what its receiver commands
     chair_age: float = 0.0  # s, age of the chair's newest telemetry
     battery: float = math.nan  # 0..1, NaN: unknown
     driven_v: float = 0.0  # m/s, reported by the chair
@@ -140,6 +142,8 @@ TICK = np.dtype(
         ("chair_state", "u1"),
         ("chair_fault", "u1"),
         ("stop_input", "u1"),
+        ("own_joystick", "u1"),
+        ("measured", "u1"),
         ("score", "f8", (MAX_GESTURES,)),
         ("rate", "f8", (MAX_GESTURES,)),
         ("activation", "f8", (MAX_GESTURES,)),

@@ -159,6 +159,8 @@ class TickRing:
             tick.chair_state,
             tick.chair_fault,
             tick.stop_input,
+            tick.own_joystick,
+            tick.measured,
             *score,
             *tick.rate,
             *tick.activation,

@@ -37,8 +37,10 @@ class ChairMoment(BaseModel):
     age: float | None = None  # s, of the report
     battery: float | None = None  # share
     stop_input: bool = False
+    own_joystick: bool = False  # whether somebody moves it
     v: float = 0.0  # m/s
     omega: float = 0.0  # rad/s
+    measured: bool = False  # whether the chair measures these speeds; otherwise its receiver commands them
     message: Text | str  # empty when there is nothing to say
 
 
@@ -55,8 +57,10 @@ def chair_report(tick: np.void) -> ChairMoment:
         age=_number(tick["chair_age"]),
         battery=_number(tick["battery"]),
         stop_input=bool(tick["stop_input"]),
+        own_joystick=bool(tick["own_joystick"]),
         v=_number(tick["driven_v"]) or 0.0,
         omega=_number(tick["driven_omega"]) or 0.0,
+        measured=bool(tick["measured"]),
         message=message,
     )
 

@@ -12,22 +12,31 @@ import sys
 from struct import Struct
 
 from app.clock import MonotonicClock
-from app.hardware.chair.packet import COMMAND_MAGIC, FRAME_BYTES, TELEMETRY_MAGIC, VERSION
+from app.hardware.chair.packet import (
+    COMMAND_MAGIC,
+    FRAME_BYTES,
+    TELEMETRY_BYTES,
+    TELEMETRY_MAGIC,
+    TELEMETRY_VERSION,
+    VERSION,
+)
 
 KEY_ID = 1
 BURST = 50  # datagrams in one system call, where the kernel can split them
 UDP_SEGMENT = 103  # socket option of linux/udp.h: the kernel splits a long datagram into datagrams of this size
 _HEAD = Struct("<4sBBH")
-MAGICS = {"W": COMMAND_MAGIC, "T": TELEMETRY_MAGIC}
+# Magic, version and length of each colour.
+KINDS = {"W": (COMMAND_MAGIC, VERSION, FRAME_BYTES), "T": (TELEMETRY_MAGIC, TELEMETRY_VERSION, TELEMETRY_BYTES)}
 
 
 class Flood:
     """Sends junk to one port, in bursts of `BURST`."""
 
-    def __init__(self, port: int, magic: bytes, source: socket.socket) -> None:
+    def __init__(self, port: int, colour: str, source: socket.socket) -> None:
         self._socket = source
         self._address = ("127.0.0.1", port)
-        frames = [_HEAD.pack(magic, VERSION, 1, KEY_ID) + os.urandom(FRAME_BYTES - _HEAD.size) for _ in range(BURST)]
+        magic, version, self._size = KINDS[colour]
+        frames = [_HEAD.pack(magic, version, 1, KEY_ID) + os.urandom(self._size - _HEAD.size) for _ in range(BURST)]
         self._frames, self._together = frames, b"".join(frames)
         self._splits = _splits(source)
         self.sent = 0
@@ -36,7 +45,7 @@ class Flood:
         """Send the next datagrams; dropped ones are not counted."""
         try:
             if self._splits:
-                control = [(socket.IPPROTO_UDP, UDP_SEGMENT, FRAME_BYTES.to_bytes(2, sys.byteorder))]
+                control = [(socket.IPPROTO_UDP, UDP_SEGMENT, self._size.to_bytes(2, sys.byteorder))]
                 self._socket.sendmsg([self._together], control, 0, self._address)
                 self.sent += BURST
                 return
@@ -61,7 +70,7 @@ def main(rate: float, seconds: float, targets: list[str]) -> None:
     floods = []
     for target in targets:
         port, colour, descriptor = target.split(":")
-        floods.append(Flood(int(port), MAGICS[colour], socket.socket(fileno=int(descriptor))))
+        floods.append(Flood(int(port), colour, socket.socket(fileno=int(descriptor))))
     clock = MonotonicClock()
     begin = clock.now()
     for burst in range(round(rate * seconds / BURST)):

@@ -10,6 +10,7 @@ from app.hardware.chair.packet import (
     DRIVE,
     FRAME_BYTES,
     STOP,
+    TELEMETRY_BYTES,
     ChairCommand,
     decode_command,
     decode_telemetry,
@@ -41,8 +42,10 @@ def test_junk_looks_like_frames_is_none_and_is_counted() -> None:
         assert flood["sent"] == [100, 100]
         assert flood["end"] - flood["begin"] > 0.2
         datagrams = [ours.recv(2000) for _ in range(200)]
-    assert {len(datagram) for datagram in datagrams} == {FRAME_BYTES}
-    assert {datagram[:4] for datagram in datagrams} == {b"BMIW", b"BMIT"}
+    assert {(datagram[:4], len(datagram)) for datagram in datagrams} == {
+        (b"BMIW", FRAME_BYTES),
+        (b"BMIT", TELEMETRY_BYTES),
+    }
     assert not any(decode_command(datagram, key, bytes(8)) for datagram in datagrams)
     assert not any(decode_telemetry(datagram, key) for datagram in datagrams)
 
@@ -71,7 +74,7 @@ def test_it_answers_a_hello_and_notes_the_commands_that_it_accepts() -> None:
         sender.settimeout(PATIENCE)
         sender.connect(("127.0.0.1", chair.port))
         sender.send(encode_hello(1))
-        telemetry = decode_telemetry(sender.recv(FRAME_BYTES), KEY)
+        telemetry = decode_telemetry(sender.recv(TELEMETRY_BYTES), KEY)
         assert telemetry is not None
         before = clock.now()
 

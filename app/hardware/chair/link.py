@@ -19,8 +19,8 @@ from app.hardware.chair.odometry import arc
 from app.hardware.chair.packet import (
     DIGEST_BYTES,
     DRIVE,
-    FRAME_BYTES,
     STOP,
+    TELEMETRY_BYTES,
     ChairCommand,
     Telemetry,
     decode_telemetry,
@@ -43,6 +43,7 @@ HELLO_AFTER = 0.15  # s without telemetry, which a chair sends every 0.1 s to it
 HELLO_EVERY = 0.2  # s: a chair that is paired with another address then answers at 5 Hz and never counts as silent
 MOST_DATAGRAMS = 32  # read at once, so that a flood of this port does not hold up the loop
 SETTLE = 1.0  # s after which a chair that still reports motion counts as standing
+STANDING = 0.02  # m/s and rad/s: a chair that measures its speed seldom measures 0
 RUNNING = (State.CHECKING, State.ARMED)
 
 _sequence = itertools.count(1)  # of this process: it continues when a chair is opened again
@@ -197,7 +198,8 @@ class ChairLink:
         """Whether the chair was commanded to stand and reports that it does, or `SETTLE` seconds have passed since."""
         if self._state in RUNNING:
             return False
-        return self._driven() == STANDSTILL or self._now - self._ended > SETTLE
+        v, omega = self._driven()
+        return max(abs(v), abs(omega)) <= STANDING or self._now - self._ended > SETTLE
 
     def lost_key(self) -> Text | None:
         """Return why the chair's key counts no longer, None while it does; reads the key file."""
@@ -220,14 +222,19 @@ class ChairLink:
         newest = self.telemetry.newest
         if newest is not None:
             tick.chair_state, tick.chair_fault, tick.stop_input = newest.state, newest.fault, newest.stop_input
-            tick.battery = newest.battery
+            tick.battery, tick.own_joystick = newest.battery, newest.own_joystick
+            tick.measured = int(math.isfinite(newest.measured_v))
 
     def _driven(self) -> Twist:
-        """Return the speeds that the chair reports; zero while the chair is silent, for then it stands by itself."""
+        """Return the speeds that the chair measures, or else those that its receiver commands.
+
+        They are zero while the chair is silent, for then it stands by itself.
+        """
         newest = self.telemetry.newest
         if newest is None or self.silent:
             return STANDSTILL
-        v, omega = newest.v, newest.omega
+        v = newest.measured_v if math.isfinite(newest.measured_v) else newest.v
+        omega = newest.measured_omega if math.isfinite(newest.measured_omega) else newest.omega
         return Twist(v, omega) if abs(v) <= FASTEST and abs(omega) <= FASTEST else STANDSTILL
 
     def _follow(self, state: State, t: float) -> None:
@@ -290,7 +297,7 @@ class ChairLink:
         """Return a datagram, None when none is left; the one byte beyond a frame shows a datagram that is too long."""
         if self._socket is not None:
             try:
-                return self._socket.recv(FRAME_BYTES + 1)
+                return self._socket.recv(TELEMETRY_BYTES + 1)
             except BlockingIOError:
                 return None
             except OSError:

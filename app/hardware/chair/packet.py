@@ -1,24 +1,27 @@
 """The datagrams of the chair link (docs/protocols.md, section 9). Standard library only.
 
-Everything is little-endian. A command and a telemetry have 52 bytes and a tag: the first 16 bytes of HMAC-SHA-256. The
-tag of a command also covers the receiver's nonce, which is new at every boot and every disarming, so that a recorded
-command is refused.
+Everything is little-endian. A command has 52 bytes and a tag, a telemetry 60 bytes and a tag: the first 16 bytes of
+HMAC-SHA-256. The tag of a command also covers the receiver's nonce, which is new at every boot and every disarming, so
+that a recorded command is refused.
 """
 
 import hmac
+import math
 from struct import Struct
 from typing import NamedTuple
 
 from app.hardware.chair.key import Key
 
-VERSION = 1
+VERSION = 1  # of a command and of a hello
+TELEMETRY_VERSION = 2  # 1 had neither measured speeds nor the chair's own joystick
 COMMAND_MAGIC, TELEMETRY_MAGIC, HELLO_MAGIC = b"BMIW", b"BMIT", b"BMIH"
 DRIVE, STOP, VIRTUAL = 1, 2, 4  # flags of a command
 
-BODY_BYTES, TAG_BYTES, NONCE_BYTES, DIGEST_BYTES = 52, 16, 8, 8
-FRAME_BYTES = BODY_BYTES + TAG_BYTES  # of a command and of a telemetry
+TAG_BYTES, NONCE_BYTES, DIGEST_BYTES = 16, 8, 8
 _COMMAND = Struct("<4sBBHIQQffff8s")
-_TELEMETRY = Struct("<4sBBHIQQ8sfffBBH")
+_TELEMETRY = Struct("<4sBBHIQQ8sfffBBBxff")
+FRAME_BYTES = _COMMAND.size + TAG_BYTES  # 68, of a command
+TELEMETRY_BYTES = _TELEMETRY.size + TAG_BYTES  # 76
 _HELLO = Struct("<4sBBHI")
 
 
@@ -46,11 +49,14 @@ class Telemetry(NamedTuple):
     sequence: int  # of the last accepted command
     t_ns: int  # the chair's monotonic clock, ns
     nonce: bytes  # 8 bytes
-    v: float  # m/s, as the chair drives
+    v: float  # m/s, as the receiver commands the chair
     omega: float  # rad/s
     battery: float  # 0..1, NaN when unknown
     stop_input: int  # 1: pressed
     fault: int  # app.hardware.chair.reasons.Reason
+    own_joystick: int = 0  # 1: somebody moves the chair's own joystick
+    measured_v: float = math.nan  # m/s, as the chair itself measures it; NaN: it does not
+    measured_omega: float = math.nan  # rad/s
 
 
 def encode_command(command: ChairCommand, key: Key, nonce: bytes) -> bytes:
@@ -67,33 +73,27 @@ def decode_command(datagram: bytes, key: Key, nonce: bytes) -> ChairCommand | No
     """
     if len(datagram) != FRAME_BYTES or datagram[:4] != COMMAND_MAGIC:
         return None
-    body = datagram[:BODY_BYTES]
+    body, tag = datagram[:-TAG_BYTES], datagram[-TAG_BYTES:]
     _, version, flags, key_id, *rest = _COMMAND.unpack(body)
-    if (
-        version != VERSION
-        or key_id != key.id
-        or not hmac.compare_digest(datagram[BODY_BYTES:], _tag(key, body + nonce))
-    ):
+    if version != VERSION or key_id != key.id or not hmac.compare_digest(tag, _tag(key, body + nonce)):
         return None
     return ChairCommand(flags, key_id, *rest)
 
 
 def encode_telemetry(telemetry: Telemetry, key: Key) -> bytes:
-    """Return the 68 bytes of a telemetry."""
+    """Return the 76 bytes of a telemetry."""
     state, key_id, *rest = telemetry
-    body = _TELEMETRY.pack(TELEMETRY_MAGIC, VERSION, state, key_id, *rest, 0)
+    body = _TELEMETRY.pack(TELEMETRY_MAGIC, TELEMETRY_VERSION, state, key_id, *rest)
     return body + _tag(key, body)
 
 
 def decode_telemetry(datagram: bytes, key: Key) -> Telemetry | None:
     """Return a telemetry with a valid tag of this chair's key, otherwise None."""
-    if len(datagram) != FRAME_BYTES or datagram[:4] != TELEMETRY_MAGIC:
+    if len(datagram) != TELEMETRY_BYTES or datagram[:4] != TELEMETRY_MAGIC:
         return None
-    body = datagram[:BODY_BYTES]
-    _, version, state, key_id, *rest, _ = _TELEMETRY.unpack(body)
-    if version != VERSION or key_id != key.id:
-        return None
-    if not hmac.compare_digest(datagram[BODY_BYTES:], _tag(key, body)):
+    body, tag = datagram[:-TAG_BYTES], datagram[-TAG_BYTES:]
+    _, version, state, key_id, *rest = _TELEMETRY.unpack(body)
+    if version != TELEMETRY_VERSION or key_id != key.id or not hmac.compare_digest(tag, _tag(key, body)):
         return None
     return Telemetry(state, key_id, *rest)
 

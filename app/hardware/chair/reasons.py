@@ -15,6 +15,9 @@ class Reason(IntEnum):
     LATE = 6  # the receiver itself was held up
     OUTPUT = 7  # the receiver's output accepts no commands
     ENDING = 8  # the receiver was ended
+    OWN_JOYSTICK = 9  # somebody moved the chair's own joystick
+    CHAIR_ERROR = 10  # the chair reports an error of its own
+    CHAIR_OFF = 11  # the chair is switched off
 
 
 # For the output of a receiver, which has no catalogue; the pages have the message chairdev-reason.
@@ -28,4 +31,7 @@ DESCRIPTIONS = {
     Reason.LATE: "The chair's own computer stood still for too long.",
     Reason.OUTPUT: "The chair's electronics accepted no commands.",
     Reason.ENDING: "The chair's receiver was ended.",
+    Reason.OWN_JOYSTICK: "Somebody moved the chair's own joystick.",
+    Reason.CHAIR_ERROR: "The chair reports an error of its own: look at its display.",
+    Reason.CHAIR_OFF: "The chair is switched off.",
 }

@@ -1,4 +1,4 @@
-"""The chair's side of the chair link: `python -m app.hardware.chair.receive --key-file F --output sim|ros2|stdout`.
+"""The chair's side of the chair link: `python -m app.hardware.chair.receive --key-file F --output NAME`.
 
 A separate process, standard library only, so that it runs on a chair's small board (also as `python -S`).
 """
@@ -17,8 +17,9 @@ from typing import NoReturn, cast
 from app.clock import Clock, MonotonicClock
 from app.hardware.chair.inputs import Inputs
 from app.hardware.chair.key import KeyRefused, read_key
-from app.hardware.chair.outputs import OUTPUTS, Output, OutputRefused, open_output
+from app.hardware.chair.outputs import OUTPUTS, Output, OutputRefused, Sink, open_output
 from app.hardware.chair.packet import FRAME_BYTES
+from app.hardware.chair.readings import NO_READINGS
 from app.hardware.chair.reasons import DESCRIPTIONS, Reason
 from app.hardware.chair.receiver import Receiver
 from app.hardware.chair.telemetry_sender import TelemetrySender
@@ -37,6 +38,10 @@ DRAINING = 0.005  # s of a step for other datagrams than commands: leaves time t
 ENDING_LIMIT = 0.5  # s for the ramp to standstill at the end
 PROBE_STEPS = 50  # number of steps whose lateness is measured at the start
 PROBE_LIMIT = 0.01  # s of lateness, with which the limit of 100 ms becomes 110 ms
+CHECK_TIME = 2.0  # s for which --check looks at an output
+STDERR = 2
+TELL_EVERY = 1.0  # s between two lines about the output: what comes and goes must not fill a log
+NARROWEST, WIDEST = 0.3, 0.9  # m between the driven wheels of a chair
 
 # What `go_real_time` was granted; the catalogue has the same sentences.
 REAL_TIME = {
@@ -72,7 +77,10 @@ class ReceiverLoop:
         self._output = output
         self._inputs = inputs
         self._clock = clock
-        self._output_broken = False
+        self._refusal = ""  # why the output did not take the last command; empty: it did
+        self._errors = Sink(STDERR)
+        self._told = ""  # the trouble with the output that was told last
+        self._tell_due = -math.inf  # s
         self._stepped = -math.inf  # s
         self.ending = False
 
@@ -117,16 +125,51 @@ class ReceiverLoop:
     def _step(self, last: bool = False) -> None:
         t = self._stepped = self._clock.now()
         pressed = self._inputs.stop_pressed
-        twist = self._receiver.step(t, stop_pressed=pressed, output_broken=self._output_broken)
+        try:
+            readings, trouble = self._output.poll(t), self._refusal
+        except OSError as error:
+            readings, trouble = NO_READINGS, _why(error)
+        output_obstacle = Reason.OUTPUT if trouble else readings.obstacle
+        twist = self._receiver.step(t, Reason.STOP_INPUT if pressed else output_obstacle)
         state, reason = self._receiver.state, self._receiver.reason
         try:
             self._output.drive(t, state.name.lower(), twist, "" if reason is Reason.NONE else DESCRIPTIONS[reason])
-            self._output_broken = False
-        except OSError:
-            self._output_broken = True
+            self._refusal = ""
+        except OSError as error:
+            self._refusal = _why(error)
             if not self._output.is_real:
                 self.ending = True  # the reader has gone
-        self._telemetry.send(t, self._inputs, pressed, now=last)
+        self._telemetry.send(t, self._inputs, pressed, readings, now=last)
+        self._tell(t, trouble or (DESCRIPTIONS[output_obstacle] if output_obstacle else ""))
+
+    def _tell(self, t: float, trouble: str) -> None:
+        """Write a line when the output begins to fail, fails in another way, or works again; never wait for that."""
+        if trouble == self._told or t < self._tell_due:
+            return
+        with suppress(OSError):  # nobody reads stderr
+            self._errors.put(f"output: {trouble or 'it works again'}")
+        self._told, self._tell_due = trouble, t + TELL_EVERY
+
+
+def check(output: Output, clock: Clock) -> int:
+    """Look at an output for two seconds without driving; print what was found, and return the exit code."""
+    trouble = ""
+    until = clock.now() + CHECK_TIME
+    while (t := clock.now()) < until:
+        try:
+            obstacle = output.poll(t).obstacle
+            trouble = DESCRIPTIONS[obstacle] if obstacle else ""
+        except OSError as error:
+            trouble = f"It cannot be driven: {_why(error)}."
+        clock.sleep_until(t + STEP)
+    sys.stdout.write(f"{output.description()}\n{trouble or 'It can be driven.'}\nNothing was moved.\n")
+    with suppress(OSError):
+        output.close()
+    return 1 if trouble else 0
+
+
+def _why(error: OSError) -> str:
+    return error.strerror or str(error) or type(error).__name__
 
 
 def slowness(clock: Clock) -> list[str]:
@@ -158,16 +201,19 @@ class _Parser(argparse.ArgumentParser):
 def main(arguments: Sequence[str] | None = None, program: str = "python -m app.hardware.chair.receive") -> int:
     """Run until a signal ends it; return the exit code."""
     given = _parser(program).parse_args(arguments)
+    clock = MonotonicClock()
     try:
         key = read_key(given.key_file)
+        if given.check:
+            return check(open_output(given.output, vars(given)), clock)
         end = _bound(given.bind, given.port)
         paired = _address(given.paired, end.family) if given.paired else None
-        output = open_output(given.output)
+        output = open_output(given.output, vars(given))
     except (KeyRefused, OutputRefused, CannotStart) as error:
         _complain(f"{program}: {error}")
         return 2
-    clock = MonotonicClock()
-    receiver = Receiver(key, given.v_max, given.omega_max, refuses_virtual=output.is_real)
+    v_max, omega_max = min(given.v_max, output.most.v), min(given.omega_max, output.most.omega)
+    receiver = Receiver(key, v_max, omega_max, refuses_virtual=output.is_real)
     inputs = Inputs(given.stop_input, given.battery_input)
     loop = ReceiverLoop(receiver, TelemetrySender(receiver, key.id, end, paired), end, output, inputs, clock)
     for which in (signal.SIGTERM, signal.SIGINT, signal.SIGHUP):
@@ -177,7 +223,7 @@ def main(arguments: Sequence[str] | None = None, program: str = "python -m app.h
     place = f"[{host}]:{port}" if ":" in host else f"{host}:{port}"
     for sentence in (
         f"listening on {place}",
-        f"At most {given.v_max:g} m/s and {given.omega_max:g} rad/s, output {given.output}.",
+        f"At most {v_max:.3g} m/s and {omega_max:.3g} rad/s, output {given.output}.",
         *(REAL_TIME[message] for message in go_real_time()),
         *slowness(clock),
     ):
@@ -253,6 +299,14 @@ def _parser(program: str) -> argparse.ArgumentParser:
     add("--paired", type=_host_and_port, metavar="HOST:PORT", help="where telemetry is sent at rest, too")
     add("--stop-input", type=Path, metavar="FILE", help="begins with 0: not pressed; anything else, or none: pressed")
     add("--battery-input", type=Path, metavar="FILE", help="the charge, a number from 0 to 1")
+    add("--check", action="store_true", help="move nothing, say what is found at the output, and end")
+    own = parser.add_argument_group("of some outputs only").add_argument
+    own("--device", metavar="FILE", help="whill, analog: the serial line, such as one in /dev/serial/by-id")
+    own("--tread", type=_tread, metavar="M", help="whill: between the middles of the driven wheels, by a tape measure")
+    own("--topic", metavar="NAME", help="ros2: where to publish (default /cmd_vel)")
+    own("--message", choices=["Twist", "TwistStamped"], help="ros2: of which type (default Twist)")
+    own("--frame", metavar="NAME", help="ros2: of a TwistStamped (default base_link)")
+    own("--chair-document", type=Path, metavar="FILE", help="luci, analog: which deflection gives which speed")
     return parser
 
 
@@ -267,6 +321,13 @@ def _host_and_port(text: str) -> tuple[str, int]:
     if not host or not _port(port):
         raise argparse.ArgumentTypeError(f"'{text}' is no address, give one as HOST:PORT")
     return host.strip("[]"), int(port)
+
+
+def _tread(text: str) -> float:
+    with suppress(ValueError):
+        if NARROWEST <= (given := float(text)) <= WIDEST:
+            return given
+    raise argparse.ArgumentTypeError(f"'{text}' is no tread, give a number of metres from {NARROWEST} to {WIDEST}")
 
 
 def _up_to(limit: float) -> Callable[[str], float]:

@@ -22,6 +22,7 @@ from app.hardware.chair.packet import (
     decode_command,
     encode_telemetry,
 )
+from app.hardware.chair.readings import NO_READINGS, ChairReadings
 from app.hardware.chair.reasons import Reason
 from app.speed_ceiling import HIGHEST_SPEED, HIGHEST_TURN_RATE
 
@@ -139,11 +140,11 @@ class Receiver:
         self._obey(command, t)
         return True
 
-    def step(self, t: float, *, stop_pressed: bool = False, output_broken: bool = False) -> Twist:
-        """Advance to `t` (s); return the speeds to drive."""
+    def step(self, t: float, obstacle: Reason = Reason.NONE) -> Twist:
+        """Advance to `t` (s); return the speeds to drive. An `obstacle` stops, and forbids motion while it lasts."""
         pause = 0.0 if self._stepped is None else t - self._stepped
         self._stepped = t
-        self._watch(t, pause, stop_pressed, output_broken)
+        self._watch(t, pause, obstacle)
         dt = min(max(pause, 0.0), STALL)
         self._v.step(dt)
         self._omega.step(dt)
@@ -158,8 +159,8 @@ class Receiver:
             self.state = ReceiverState.DISARMED
             self.nonce = self._new_nonce(NONCE_BYTES)
 
-    def telemetry(self, t: float, battery: float = math.nan, *, stop_pressed: bool = False) -> bytes:
-        """Return the datagram of the telemetry at `t` (s)."""
+    def telemetry(self, t: float, readings: ChairReadings = NO_READINGS, *, stop_pressed: bool = False) -> bytes:
+        """Return the datagram of the telemetry at `t` (s), with what the chair reports of itself."""
         return encode_telemetry(
             Telemetry(
                 state=self.state,
@@ -170,9 +171,12 @@ class Receiver:
                 nonce=self.nonce,
                 v=self._v.driven,
                 omega=self._omega.driven,
-                battery=battery,
+                battery=readings.battery,
                 stop_input=int(stop_pressed),
                 fault=self.reason,
+                own_joystick=int(readings.own_joystick),
+                measured_v=readings.v,
+                measured_omega=readings.omega,
             ),
             self._key,
         )
@@ -230,10 +234,9 @@ class Receiver:
         axis.stop_rate = 0.0
         axis.target = min(cap, max(-cap, wanted))
 
-    def _watch(self, t: float, pause: float, stop_pressed: bool, output_broken: bool) -> None:
-        forbids = Reason.STOP_INPUT if stop_pressed else Reason.OUTPUT if output_broken else Reason.NONE
-        if forbids is not Reason.NONE:
-            self.stop(forbids)
+    def _watch(self, t: float, pause: float, obstacle: Reason) -> None:
+        if obstacle is not Reason.NONE:
+            self.stop(obstacle)
             self.state = ReceiverState.FAULT
         elif self.state is ReceiverState.FAULT:
             self.state = ReceiverState.DISARMED

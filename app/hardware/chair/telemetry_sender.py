@@ -6,6 +6,7 @@ from contextlib import suppress
 
 from app.hardware.chair.inputs import Inputs
 from app.hardware.chair.packet import is_hello
+from app.hardware.chair.readings import NO_READINGS, ChairReadings
 from app.hardware.chair.receiver import Receiver, ReceiverState
 from app.hardware.shirt.sender_choice import Address
 
@@ -36,13 +37,26 @@ class TelemetrySender:
         if t - self._answered >= ANSWER_PAUSE and is_hello(datagram, self._key_id):
             self._hello = self._greeter = address
 
-    def send(self, t: float, inputs: Inputs, stop_pressed: bool, now: bool = False) -> None:
-        """Send the telemetry that is due at `t` (s); with `now`, whether it is due or not."""
+    def send(
+        self,
+        t: float,
+        inputs: Inputs,
+        stop_pressed: bool,
+        readings: ChairReadings = NO_READINGS,
+        *,
+        now: bool = False,
+    ) -> None:
+        """Send the telemetry that is due at `t` (s); with `now`, whether it is due or not.
+
+        The board's own input says the charge of the battery, or else the chair.
+        """
         state = self._receiver.state
         due = now or t - self._sent >= PERIOD or state is not self._state
         if not due and self._hello is None:
             return
-        datagram = self._receiver.telemetry(t, inputs.battery, stop_pressed=stop_pressed)
+        if not math.isnan(battery := inputs.battery):
+            readings = readings._replace(battery=battery)
+        datagram = self._receiver.telemetry(t, readings, stop_pressed=stop_pressed)
         if self._hello is not None:
             self._put(datagram, self._hello)
             self._hello, self._answered = None, t

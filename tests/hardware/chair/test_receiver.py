@@ -3,10 +3,11 @@
 import math
 
 import pytest
-from hardware.chair.commanded_receiver import PERIOD, CommandedReceiver
+from hardware.chair.commanded_receiver import KEY, PERIOD, CommandedReceiver
 
 from app.hardware.chair.link_texts import reason_text
-from app.hardware.chair.packet import DRIVE, STOP, VIRTUAL
+from app.hardware.chair.packet import DRIVE, STOP, VIRTUAL, decode_telemetry
+from app.hardware.chair.readings import ChairReadings
 from app.hardware.chair.reasons import DESCRIPTIONS, Reason
 from app.hardware.chair.receiver import Receiver, ReceiverState
 from app.pipeline import stop_ramp
@@ -42,6 +43,14 @@ def test_it_drives_what_it_is_told_after_half_a_second_of_zeros(chair):
     assert (told.v, told.omega, told.fault, told.stop_input) == (pytest.approx(0.5), pytest.approx(-0.7), 0, 0)
     assert told.t_ns == pytest.approx(chair.t * 1e9)
     assert math.isnan(told.battery)
+    assert (told.own_joystick, math.isnan(told.measured_v), math.isnan(told.measured_omega)) == (0, True, True)
+
+
+def test_what_the_chair_says_of_itself_is_told(chair):
+    readings = ChairReadings(0.25, -0.5, 0.75, own_joystick=True)
+    told = decode_telemetry(chair.receiver.telemetry(chair.t, readings), KEY)
+    assert (told.measured_v, told.measured_omega, told.battery, told.own_joystick) == (0.25, -0.5, 0.75, 1)
+    assert (told.v, told.omega) == STANDS
 
 
 @pytest.mark.parametrize("speeds", [(0.5, 0.0), (0.0, 0.5), (-1e-9, 0.0)])
@@ -111,9 +120,9 @@ def disarmed_by_sending(**changes):
     return disarm
 
 
-def disarmed_by(condition):
+def disarmed_by(obstacle):
     def disarm(chair):
-        chair.conditions = {condition: True}
+        chair.conditions = {"obstacle": obstacle}
         chair.step()
         assert chair.state is FAULT
         chair.conditions = {}
@@ -122,14 +131,14 @@ def disarmed_by(condition):
     return disarm
 
 
+OBSTACLES = (Reason.STOP_INPUT, Reason.OUTPUT, Reason.OWN_JOYSTICK, Reason.CHAIR_ERROR, Reason.CHAIR_OFF)
 DISARMINGS = {
     Reason.STOP_COMMAND: disarmed_by_sending(flags=DRIVE | STOP),
     Reason.WITHDRAWN: disarmed_by_sending(v=0.5),
     Reason.SILENT: lambda chair: chair.wait(0.31),
     Reason.LATE: lambda chair: chair.step(0.11),
-    Reason.STOP_INPUT: disarmed_by("stop_pressed"),
-    Reason.OUTPUT: disarmed_by("output_broken"),
     Reason.ENDING: lambda chair: chair.receiver.stop(Reason.ENDING),
+    **{obstacle: disarmed_by(obstacle) for obstacle in OBSTACLES},
 }
 
 
@@ -166,10 +175,10 @@ def test_a_drive_flag_taken_back_during_the_check_ends_it(chair):
     assert (chair.state, chair.reason) == (DISARMED, Reason.WITHDRAWN)
 
 
-@pytest.mark.parametrize("condition", ["stop_pressed", "output_broken"])
-def test_while_something_forbids_motion_nothing_is_taken(chair, condition):
+@pytest.mark.parametrize("obstacle", OBSTACLES)
+def test_while_something_forbids_motion_nothing_is_taken(chair, obstacle):
     chair.drive()
-    chair.conditions = {condition: True}
+    chair.conditions = {"obstacle": obstacle}
     chair.step()
     before = chair.receiver.nonce
     assert not chair.send(flags=STOP)

@@ -8,6 +8,7 @@ from hardware.chair.commanded_receiver import KEY, CommandedReceiver
 
 from app.hardware.chair.key import Key
 from app.hardware.chair.packet import DRIVE, FRAME_BYTES, NONCE_BYTES, STOP, ChairCommand, encode_command, encode_hello
+from app.hardware.chair.reasons import Reason
 from app.hardware.chair.receiver import ReceiverState
 
 CASES = 12_000
@@ -33,7 +34,7 @@ def stopped(chair):
 
 def switched_off(chair):
     chair.drive(0.5, 0.2)
-    chair.conditions = {"stop_pressed": True}
+    chair.conditions = {"obstacle": Reason.STOP_INPUT}
     chair.wait(0.1)
 
 

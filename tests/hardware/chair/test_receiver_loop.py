@@ -10,6 +10,7 @@ from hardware.chair.commanded_receiver import KEY, CommandedReceiver
 from app.geometry import STANDSTILL
 from app.hardware.chair.inputs import Inputs
 from app.hardware.chair.packet import DRIVE, FRAME_BYTES, decode_telemetry
+from app.hardware.chair.readings import NO_READINGS, ChairReadings
 from app.hardware.chair.reasons import Reason
 from app.hardware.chair.receive import DRAINING, STEP, ReceiverLoop, slowness
 from app.hardware.chair.receiver import ReceiverState
@@ -44,11 +45,17 @@ class FloodedSocket:
 
 
 class OutputLog:
-    """An output that keeps a log; `broken` makes it fail."""
+    """An output that keeps a log; `broken` makes it fail, `deaf` its chair silent; `readings` are those of its chair."""
 
     def __init__(self, is_real=False):
-        self.is_real, self.broken = is_real, False
+        self.is_real, self.broken, self.deaf = is_real, False, False
+        self.readings = NO_READINGS
         self.said = []
+
+    def poll(self, t):
+        if self.deaf:
+            raise TimeoutError(110, "the chair reports nothing")
+        return self.readings
 
     def drive(self, t, state, twist, reason):
         if self.broken:
@@ -174,6 +181,41 @@ def test_motors_that_take_no_commands_are_tried_again(turning):
     loop.run()
     assert steps[10] is ReceiverState.FAULT
     assert steps[30] is not ReceiverState.FAULT
+
+
+@pytest.mark.parametrize("turning", [True], indirect=True)
+@pytest.mark.parametrize(
+    ("change", "reason"),
+    [
+        ({"deaf": True}, Reason.OUTPUT),
+        ({"readings": ChairReadings(0.3, 0.1, 0.5, own_joystick=True)}, Reason.OWN_JOYSTICK),
+        ({"readings": ChairReadings(trouble=Reason.CHAIR_ERROR)}, Reason.CHAIR_ERROR),
+        ({"readings": ChairReadings(trouble=Reason.CHAIR_OFF)}, Reason.CHAIR_OFF),
+    ],
+)
+def test_what_the_chair_says_stops_and_is_told(turning, change, reason, capfd):
+    loop, flooded, output, _ = turning
+    poll, begun = output.poll, flooded.clock.now()
+
+    def disturbed(t):
+        passed = t - begun
+        flooded.words = (0.4, 0.0, DRIVE) if passed > 0.7 else (0.0, 0.0, 0)
+        vars(output).update(change if passed > 1.0 else {})
+        loop.ending = passed > 1.4
+        return poll(t)
+
+    output.poll = disturbed
+    loop.run()
+    assert max(twist.v for _, _, twist, _ in output.said) == pytest.approx(0.4)
+    stopped = next(t for t, state, *_ in output.said if state == "fault")
+    assert {twist.v for t, _, twist, _ in output.said if t > stopped + 0.25 + STEP} == {0.0}
+    told = [telemetry for telemetry, _ in flooded.sent if telemetry.state == ReceiverState.FAULT]
+    assert {telemetry.fault for telemetry in told} == {reason}
+    if output.readings.own_joystick:
+        assert {telemetry.own_joystick for telemetry in told} == {1}
+        assert told[-1].measured_v == pytest.approx(0.3)
+        assert told[-1].battery == 0.5
+    assert len(capfd.readouterr().err.splitlines()) == 1
 
 
 def test_a_machine_that_wakes_late_says_so_at_the_start():

@@ -1,0 +1,24 @@
+"""What a chair reports of itself to the output that drives it. Standard library only."""
+
+import math
+from typing import NamedTuple
+
+from app.hardware.chair.reasons import Reason
+
+
+class ChairReadings(NamedTuple):
+    """What a chair reports of itself; each field is optional."""
+
+    v: float = math.nan  # m/s, measured; NaN: not measured
+    omega: float = math.nan  # rad/s
+    battery: float = math.nan  # 0..1
+    own_joystick: bool = False  # whether somebody moves the chair's own joystick
+    trouble: Reason = Reason.NONE  # why the chair cannot be driven now
+
+    @property
+    def obstacle(self) -> Reason:
+        """Why the chair is not driven now; NONE when nothing stands against it."""
+        return Reason.OWN_JOYSTICK if self.own_joystick else self.trouble
+
+
+NO_READINGS = ChairReadings()  # of a chair that reports nothing
