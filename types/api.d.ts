@@ -5712,10 +5712,14 @@ export interface components {
             battery: number | null;
             /** @default false */
             stop_input: boolean;
+            /** @default false */
+            own_joystick: boolean;
             /** @default 0 */
             v: number;
             /** @default 0 */
             omega: number;
+            /** @default false */
+            measured: boolean;
             message: string;
         };
         ChairStateView: {

@@ -52,6 +52,7 @@ paired-lead = Er wird nie wieder gezeigt, weder hier noch anderswo. Wer ihn hat,
 paired-qr = QR-Code des Schlüssels von { $name }
 paired-step-scan = Legen Sie auf dem Rechner des Rollstuhls eine Datei an, die nur Sie lesen können. Schreiben Sie die Zeile dieses Codes hinein, und drücken Sie dann die Eingabetaste und Strg-D:
 paired-step-start = Starten Sie den Empfänger damit:
+paired-outputs = Welchen Ausgang Ihr Rollstuhl statt ros2 braucht
 paired-step-look = Sehen Sie auf der Seite „Fahren“ nach: Dort antwortet der Rollstuhl innerhalb einer Sekunde.
 paired-line = Schlüsselzeile, zum Abtippen oder Kopieren
 paired-copy = Schlüsselzeile kopieren

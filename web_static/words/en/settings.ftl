@@ -56,6 +56,7 @@ paired-lead = It is not shown again, here or anywhere, because who has it can dr
 paired-qr = QR code of the key of { $name }
 paired-step-scan = On the chair's computer, make a file that only you can read. Put the line of this code into it, then press Enter and Ctrl-D:
 paired-step-start = Start the receiver with it:
+paired-outputs = Which output your chair needs in place of ros2
 paired-step-look = Look at the Drive page: the chair answers there within a second.
 paired-line = Key line, to type or copy
 paired-copy = Copy the key line

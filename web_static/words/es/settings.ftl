@@ -56,6 +56,7 @@ paired-lead = No se vuelve a mostrar en ningún sitio, porque quien la tiene pue
 paired-qr = Código QR de la clave de { $name }
 paired-step-scan = En el equipo de la silla, cree un archivo que solo usted pueda leer. Ponga en él la línea de este código y pulse Intro y Ctrl-D:
 paired-step-start = Inicie el receptor con él:
+paired-outputs = Qué salida necesita su silla en lugar de ros2
 paired-step-look = Abra la página Conducir: la silla responde allí en menos de un segundo.
 paired-line = Línea de la clave, para escribir o copiar
 paired-copy = Copiar la línea

@@ -97,7 +97,7 @@ function Page({ store }) {
         h("h2", {}, t("driving-commands")),
         h(Made, { left, make: () => square.element }),
       ),
-      h("div", { class: "chair-report" }, h(ChairCard, { chair })),
+      h("div", { class: "chair-report" }, h(ChairCard, { chair, latest })),
       h(
         "section",
         { class: "card movements" },

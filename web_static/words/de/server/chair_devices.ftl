@@ -43,5 +43,8 @@ chairdev-reason =
         [not_neutral] Nach der Freigabe verlangten die Fahrbefehle nicht lange genug Stillstand (eine halbe Sekunde).
         [late] Der Rechner des Rollstuhls stand zu lange still.
         [output] Die Elektronik des Rollstuhls nahm keine Fahrbefehle an.
+        [own_joystick] Jemand hat den Joystick des Rollstuhls bewegt.
+        [chair_error] Der Rollstuhl meldet einen eigenen Fehler. Sehen Sie auf seine Anzeige.
+        [chair_off] Der Rollstuhl ist ausgeschaltet.
        *[ending] Der Empfänger des Rollstuhls wurde beendet.
     }

@@ -68,9 +68,9 @@ fault-control-lost = Der Steuerungsprozess wurde beendet. Der Rollstuhl steht.
 fault-control-lost-remedy = Ein neuer wird gestartet, und der Rollstuhl ist zunächst gesperrt. Starten Sie danach noch einmal.
 fault-control-lost-patient = Ein Teil des Programms wurde beendet.
 
-fault-stop-chair = Der Stoppschalter des Rollstuhls wurde gedrückt, oder der Rollstuhl meldet eine Störung.
-fault-stop-chair-remedy = Sehen Sie sich um, und lösen Sie den Stoppschalter.
-fault-stop-chair-patient = Der Stoppschalter des Rollstuhls wurde gedrückt, oder der Rollstuhl hat eine Störung.
+fault-stop-chair = Der Stoppschalter des Rollstuhls wurde gedrückt, sein Joystick wurde bewegt, oder der Rollstuhl meldet eine Störung.
+fault-stop-chair-remedy = Sehen Sie sich um, lösen Sie den Stoppschalter, und lassen Sie den Joystick los.
+fault-stop-chair-patient = Der Rollstuhl wurde mit seinem eigenen Schalter oder Joystick gestoppt, oder er hat eine Störung.
 
 fault-chair-silent = Der Rollstuhl antwortet nicht mehr. Er hält von selbst an.
 fault-chair-silent-remedy = Prüfen Sie den Strom des Rollstuhls und das Netz.

@@ -43,5 +43,8 @@ chairdev-reason =
         [not_neutral] After it was armed, the chair was not commanded to stand for the half second that it needs.
         [late] The chair's own computer stood still for too long.
         [output] The chair's electronics accepted no commands.
+        [own_joystick] Somebody moved the chair's own joystick.
+        [chair_error] The chair reports an error of its own: look at its display.
+        [chair_off] The chair is switched off.
        *[ending] The chair's receiver was ended.
     }

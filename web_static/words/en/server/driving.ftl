@@ -16,7 +16,7 @@ drives-shirt-unpaired = The shirt is no longer paired: { $problem }.
 drives-chair-unpaired = The chair is no longer paired: { $problem }.
 drives-only-recorded = A real chair drives only while it is recorded: begin a drive first.
 # $state is a whole sentence: the state of the chair.
-drives-switch-pressed = { $state } Look around, release the switch, then arm again.
+drives-switch-pressed = { $state } Look around, release the switch and the joystick, then arm again.
 drives-switch-unproved = With “Keeps its speed” or “Keeps turning” a chair goes on by itself, so a real one needs its stop switch: press and release it once to show that it works, or choose “Follows the movement” on the Controls page.
 drives-virtual-chair-chosen = The virtual chair is chosen: choose a real one first.
 drives-not-practised = This set was never practised on the virtual chair of this clinic: finish a trial with it first, and let it count.

@@ -68,9 +68,9 @@ fault-control-lost = The control process ended, and the chair stands.
 fault-control-lost-remedy = A new one is starting, disarmed; then start again.
 fault-control-lost-patient = A part of the program ended.
 
-fault-stop-chair = The chair's own stop switch was pressed, or the chair reports a fault.
-fault-stop-chair-remedy = Look around, release the switch.
-fault-stop-chair-patient = The chair's stop switch was pressed, or the chair has a fault.
+fault-stop-chair = The chair's own stop switch was pressed, its own joystick was moved, or the chair reports a fault.
+fault-stop-chair-remedy = Look around, release the switch and the joystick.
+fault-stop-chair-patient = The chair was stopped by its own switch or joystick, or has a fault.
 
 fault-chair-silent = The chair no longer answers; it stops by itself.
 fault-chair-silent-remedy = Check the chair's power and the network.

@@ -43,5 +43,8 @@ chairdev-reason =
         [not_neutral] La silla no recibió el comando de quedarse quieta durante el medio segundo posterior a habilitarla.
         [late] El equipo de la propia silla no respondió durante demasiado tiempo.
         [output] La electrónica de la silla no aceptó ningún comando.
+        [own_joystick] Alguien movió el joystick de la propia silla.
+        [chair_error] La silla comunica un error propio: mire su pantalla.
+        [chair_off] La silla está apagada.
        *[ending] El receptor de la silla se cerró.
     }

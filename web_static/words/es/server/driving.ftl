@@ -16,7 +16,7 @@ drives-shirt-unpaired = La camiseta ya no está vinculada: { $problem }.
 drives-chair-unpaired = La silla ya no está vinculada: { $problem }.
 drives-only-recorded = Una silla real solo se conduce mientras se graba: empiece primero una conducción.
 # $state is a whole sentence: the state of the chair.
-drives-switch-pressed = { $state } Compruebe el entorno, suelte el interruptor y después habilite la silla otra vez.
+drives-switch-pressed = { $state } Compruebe el entorno, suelte el interruptor y el joystick y después habilite la silla otra vez.
 drives-switch-unproved = Con “Mantiene la velocidad” o “Mantiene el giro”, una silla sigue en marcha por sí sola, así que una real necesita su interruptor de parada: púlselo y suéltelo una vez para mostrar que funciona, o elija “Sigue el movimiento” en la página Controles.
 drives-virtual-chair-chosen = Está elegida la silla virtual: elija primero una real.
 drives-not-practised = Esta configuración no se ha practicado nunca con la silla virtual de esta clínica: termine antes un ensayo con ella y deje que cuente.

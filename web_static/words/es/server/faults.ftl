@@ -68,9 +68,9 @@ fault-control-lost = El proceso de control terminó, y la silla está detenida.
 fault-control-lost-remedy = Se está iniciando uno nuevo, con la silla deshabilitada; después empiece de nuevo.
 fault-control-lost-patient = Una parte del programa se cerró.
 
-fault-stop-chair = Se pulsó el interruptor de parada de la propia silla, o la silla comunica un fallo.
-fault-stop-chair-remedy = Compruebe el entorno y suelte el interruptor.
-fault-stop-chair-patient = Se pulsó el interruptor de parada de la silla, o la silla tiene un fallo.
+fault-stop-chair = Se pulsó el interruptor de parada de la propia silla, se movió su propio joystick, o la silla comunica un fallo.
+fault-stop-chair-remedy = Compruebe el entorno y suelte el interruptor y el joystick.
+fault-stop-chair-patient = La silla se detuvo con su propio interruptor o joystick, o tiene un fallo.
 
 fault-chair-silent = La silla ya no responde; se detiene sola.
 fault-chair-silent-remedy = Compruebe la alimentación de la silla y la red.
