@@ -13,6 +13,7 @@ from app.hardware.chair.key import new_key
 from app.hardware.chair.link import MOST_DATAGRAMS
 from app.hardware.chair.packet import encode_telemetry
 from app.hardware.chair.reasons import DESCRIPTIONS, Reason
+from app.messages import Tick
 
 
 def test_a_chair_that_is_paired_with_another_address_is_heard_often_enough(pair):
@@ -128,6 +129,33 @@ def test_others_on_the_network_are_not_heard_and_a_flood_does_not_hold_it_up(pai
     assert pair.link.telemetry.newest.state == DISARMED
     pair.link.listen(pair.t)
     assert pair.link.telemetry.newest.state == FAULT
+
+
+def test_what_the_chair_measures_counts_more_than_what_its_receiver_commands(pair):
+    pair.link.place(Pose(1.0, 2.0, 0.0))
+    pair.meet()
+    pair.hear(v=0.5, omega=0.25, measured_v=0.25, measured_omega=0.0)
+    for _ in range(10):
+        state = pair.link.drive(AHEAD, 0.01)
+    assert (state.x, state.y, state.v, state.omega) == (pytest.approx(1.025), 2.0, 0.25, 0.0)
+    tick = Tick()
+    pair.link.report(tick, pair.t)
+    assert (tick.measured, tick.own_joystick) == (1, 0)
+    pair.hear(v=0.5, measured_v=0.25, own_joystick=1)  # a chair that measures no turn rate
+    state = pair.link.drive(AHEAD, 0.01)
+    assert (state.v, state.omega) == (0.25, 0.0)
+    pair.link.report(tick, pair.t)
+    assert tick.own_joystick == 1
+    pair.hear(v=0.5, measured_v=math.inf)
+    assert pair.link.drive(AHEAD, 0.01).v == 0.5
+
+
+@pytest.mark.parametrize(("measured", "stands"), [(0.0, True), (0.02, True), (-0.02, True), (0.1, False)])
+def test_a_chair_that_measures_a_little_stands(pair, measured, stands):
+    pair.arm()
+    pair.turn(State.DISARMED)
+    pair.hear(measured_v=measured, measured_omega=0.0)
+    assert pair.link.stands == stands
 
 
 def test_the_place_is_reckoned_from_what_the_chair_says_until_it_is_silent(pair):

@@ -1,10 +1,13 @@
 """The ROS 2 output, received through DDS as a chair's own driver would, without ROS."""
 
 import itertools
+import random
 import struct
 import sys
 
 import pytest
+from hardware.chair.ros_network import THIS_MACHINE_ONLY
+from rosbags.typesys import Stores, get_typestore
 
 from app.geometry import STANDSTILL, Twist
 from app.hardware.chair.outputs import OutputRefused, open_output
@@ -15,14 +18,16 @@ ros2 = pytest.importorskip("app.hardware.chair.ros2")
 
 DOMAIN = 77
 STEP = 0.01  # s
-THIS_MACHINE_ONLY = """<CycloneDDS><Domain><General><AllowMulticast>false</AllowMulticast>
-<Interfaces><NetworkInterface address="127.0.0.1"/></Interfaces></General></Domain></CycloneDDS>"""
 
 
 @pytest.fixture
-def output(monkeypatch):
+def network(monkeypatch):
     monkeypatch.setenv("CYCLONEDDS_URI", THIS_MACHINE_ONLY)
     monkeypatch.setenv("ROS_DOMAIN_ID", str(DOMAIN))
+
+
+@pytest.fixture
+def output(network):
     return ros2.Ros2Twist()
 
 
@@ -32,7 +37,7 @@ def heard(output):
     participant = domain.DomainParticipant(DOMAIN)
     wants = core.Qos(core.Policy.Reliability.Reliable(max_blocking_time=0), core.Policy.History.KeepLast(1000))
     reader = sub.DataReader(participant, topic.Topic(participant, "rt/cmd_vel", ros2.RosTwist), qos=wants)
-    assert len(output._writer.get_matched_subscriptions()) == 1
+    assert output._topic.listeners() == 1
     return lambda: [(told.linear.x, told.angular.z) for told in reader.take(1000)]
 
 
@@ -41,6 +46,60 @@ def test_a_sample_is_the_52_bytes_of_a_ros_twist():
     assert cdr == b"\x00\x01\x00\x00" + struct.pack("<6d", 0.5, 0.0, 0.0, 0.0, 0.0, -1.25)
     assert len(cdr) == 52
     assert ros2.RosTwist.__idl__.idl_transformed_typename == "geometry_msgs::msg::dds_::Twist_"
+
+
+def test_messages_are_what_another_cdr_implementation_reads_and_writes():
+    rosbags, rng = get_typestore(Stores.ROS2_JAZZY), random.Random(4)
+    for _ in range(100):
+        twist, frame = Twist(rng.uniform(-2, 2), rng.uniform(-3, 3)), "x" * rng.randint(1, 20)
+        plain, stamped = ros2.sample(twist).serialize(), ros2.stamped_sample(twist, frame).serialize()
+        read = rosbags.deserialize_cdr(plain, "geometry_msgs/msg/Twist")
+        assert (read.linear.x, read.angular.z) == twist
+        assert bytes(rosbags.serialize_cdr(read, "geometry_msgs/msg/Twist")) == plain
+        read = rosbags.deserialize_cdr(stamped, "geometry_msgs/msg/TwistStamped")
+        assert (read.twist.linear.x, read.twist.angular.z, read.header.frame_id) == (*twist, frame)
+        assert (read.header.stamp.sec, read.header.stamp.nanosec) == (0, 0)
+        assert bytes(rosbags.serialize_cdr(read, "geometry_msgs/msg/TwistStamped")) == stamped
+
+
+def test_topic_type_and_frame_are_chosen(network):
+    output = ros2.Ros2Twist("/wheels/cmd_vel", "TwistStamped", "chair")
+    participant = domain.DomainParticipant(DOMAIN)
+    wants = core.Qos(core.Policy.Reliability.Reliable(max_blocking_time=0), core.Policy.History.KeepLast(10))
+    named = topic.Topic(participant, "rt/wheels/cmd_vel", ros2.RosTwistStamped)
+    reader = sub.DataReader(participant, named, qos=wants)
+    output.drive(0.0, "armed", Twist(0.3, -0.1), "")
+    (told,) = reader.take(10)
+    assert (told.header.frame_id, told.twist.linear.x, told.twist.angular.z) == ("chair", 0.3, -0.1)
+    assert ros2.RosTwistStamped.__idl__.idl_transformed_typename == "geometry_msgs::msg::dds_::TwistStamped_"
+    assert "The topic /wheels/cmd_vel of ROS 2 (TwistStamped): 1 listening" in output.description()
+
+
+@pytest.mark.parametrize(
+    ("options", "why"),
+    [
+        *(({"topic": name}, "is no topic") for name in ("cmd_vel", "/", "/a//b", "/a b", "/1", "", "/" + 200 * "a")),
+        ({"frame": "chair"}, "--frame is of TwistStamped"),
+        ({"frame": "a b", "message": "TwistStamped"}, "is no frame"),
+        ({"frame": "", "message": "TwistStamped"}, "is no frame"),
+    ],
+)
+def test_names_that_ros_does_not_have_are_refused(options, why):
+    with pytest.raises(OutputRefused, match=why):
+        ros2.Ros2Twist(**options)
+
+
+def test_a_topic_that_nobody_listens_to_drives_no_chair(output, heard):
+    output.poll(0.0)
+
+    class Deserted:
+        def get_matched_subscriptions(self):
+            return []
+
+    output._topic._writer = Deserted()
+    output.poll(0.05)  # who listens is looked up ten times a second
+    with pytest.raises(OSError, match="nobody listens to /cmd_vel"):
+        output.poll(0.11)
 
 
 def test_every_change_is_published_at_once(output, heard):
@@ -75,16 +134,16 @@ def test_who_moves_somebody_says_so(output):
 
 
 def test_a_sample_that_dds_does_not_take_is_a_broken_output_and_is_said_again(output, heard):
-    writer = output._writer
+    writer = output._topic._writer
 
     class Full:
         def write(self, _sample):
             raise core.DDSException(core.DDSException.DDS_RETCODE_TIMEOUT, msg="full")
 
-    output._writer = Full()
+    output._topic._writer = Full()
     with pytest.raises(OSError, match="full"):
         output.drive(0.0, "armed", Twist(0.3, 0.0), "")
-    output._writer = writer
+    output._topic._writer = writer
     output.drive(0.01, "armed", Twist(0.3, 0.0), "")
     assert heard() == [(0.3, 0.0)]
 
@@ -98,7 +157,8 @@ def test_closing_is_no_trouble_when_nobody_acknowledges(output, error):
         def wait_for_acks(self, _duration):
             raise error
 
-    output._writer = Alone()
+    output._topic._writer = Alone()
+    output.drive(0.0, "armed", Twist(0.3, 0.0), "")
     output.close()
 
 
@@ -112,6 +172,7 @@ def test_a_domain_that_is_none_is_refused(monkeypatch, number):
 def test_without_its_library_it_says_how_to_get_it(monkeypatch):
     monkeypatch.setitem(sys.modules, "cyclonedds", None)
     monkeypatch.delitem(sys.modules, "cyclonedds.core")
-    monkeypatch.delitem(sys.modules, "app.hardware.chair.ros2")
+    for name in ("dds", "ros2"):
+        monkeypatch.delitem(sys.modules, f"app.hardware.chair.{name}")
     with pytest.raises(OutputRefused, match=r"pip install 'bodydrive\[ros2\]'"):
         open_output("ros2")

@@ -1,0 +1,17 @@
+"""A network of ROS 2 on this machine alone, for tests."""
+
+from threading import Event
+
+from app.clock import monotonic
+
+PATIENCE = 20.0  # s
+THIS_MACHINE_ONLY = """<CycloneDDS><Domain><General><AllowMulticast>false</AllowMulticast>
+<Interfaces><NetworkInterface address="127.0.0.1"/></Interfaces></General></Domain></CycloneDDS>"""
+
+
+def wait_until(condition):
+    """Wait until a condition holds."""
+    until, pause = monotonic() + PATIENCE, Event()
+    while not condition():
+        assert monotonic() < until, "it did not come to that in time"
+        pause.wait(0.01)
