@@ -193,8 +193,17 @@ def test_the_chair_s_say_is_in_the_ticks(make_drive, chair):
     newest = drive.ticks()[-1]
     assert (newest["chair_kind"], newest["chair_state"], newest["chair_fault"], newest["stop_input"]) == (1, 2, 3, 0)
     assert (newest["battery"], newest["driven_v"], newest["driven_omega"]) == (0.25, 0.5, -0.125)
+    assert (newest["own_joystick"], newest["measured"]) == (0, 0)
     assert 0.0 <= newest["chair_age"] <= 0.15
     assert newest["x"] != 0.0
+
+
+def test_where_the_chair_measures_its_speed_that_is_in_the_ticks(make_drive, chair):
+    drive = make_drive(frame_times(6.0), chair=chair)
+    chair.changes = {"v": 0.5, "omega": -0.125, "measured_v": 0.375, "measured_omega": 0.25}
+    drive.arm()
+    newest = drive.ticks()[-1]
+    assert (newest["driven_v"], newest["driven_omega"], newest["measured"]) == (0.375, 0.25, 1)
 
 
 def test_without_a_recording_a_real_chair_is_not_driven(make_drive, chair):

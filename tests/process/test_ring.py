@@ -55,6 +55,7 @@ SCALARS = (
     {"t": 1.5, "frame_seq": 7, "t_device": 2.5, "u1": -1.0, "u2": 0.25, "v": 0.8, "omega": -1.2}
     | {"x": 3.0, "y": 4.0, "theta": -3.0, "state": State.FAULT, "fault": Fault.STOP_KEY, "stops": 9, "dial": 0.5}
     | {"chair_kind": 1, "chair_state": 2, "chair_fault": 8, "stop_input": 1, "chair_age": 0.125, "battery": 0.75}
+    | {"own_joystick": 1, "measured": 1}
     | {"driven_v": 0.25, "driven_omega": -0.5, "scene_t": 1.5, "contacts": 3}
     | {"head_yaw": 0.25, "head_pitch": -0.125, "head_roll": 0.5, "head_age": 0.0625}
 )

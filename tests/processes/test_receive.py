@@ -242,6 +242,15 @@ REFUSED = {
     ("--bind", "no.such.host.invalid"): "no.such.host.invalid",
     ("--paired", "nowhere"): "HOST:PORT",
     ("--output", "can"): "can",
+    ("--tread", "0.5"): "does not take --tread",
+    ("--output", "whill"): "needs --device",
+    ("--output", "whill", "--device", "/dev/none", "--tread", "0.5"): "/dev/none",
+    ("--output", "whill", "--device", "/dev/none", "--tread", "nan"): "'nan' is no tread",
+    ("--output", "whill", "--device", "/dev/none", "--check"): "needs --tread",
+    ("--output", "analog", "--device", "/dev/none"): "/dev/none",
+    ("--output", "analog", "--device", "/dev/none", "--chair-document", "none"): "the chair document none",
+    ("--output", "luci"): "bodydrive[ros2]",
+    ("--message", "Odometry"): "Odometry",
     ("--stop",): "--stop",
 }
 
@@ -253,6 +262,23 @@ def test_what_cannot_be_is_refused_in_one_sentence(options, tmp_path):
     key.write_text(f"1 {'0' * 64}\n")
     said = refused(tmp_path, "--key-file", str(key), "--output", "stdout", *options)
     assert REFUSED[options] in said
+
+
+def test_a_look_at_an_output_without_a_chair_says_so_and_moves_nothing(tmp_path):
+    key = tmp_path / "key"
+    key.touch(mode=0o600)
+    key.write_text(f"1 {'0' * 64}\n")
+    command = [sys.executable, "-S", "-m", "app.hardware.chair.receive", "--key-file", str(key), "--output", "sim"]
+    environment = {**os.environ, "PYTHONPATH": str(ROOT)}
+    run = subprocess.run(
+        [*command, "--check"], capture_output=True, text=True, env=environment, cwd=tmp_path, check=True, timeout=PATIENCE
+    )
+    assert run.stdout.splitlines() == [
+        "A simulated drive: no chair is connected, so there is nothing to look at.",
+        "It can be driven.",
+        "Nothing was moved.",
+    ]
+    assert run.stderr == ""
 
 
 def test_an_unreadable_key_and_a_busy_port_are_refused(tmp_path):

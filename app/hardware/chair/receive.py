@@ -40,7 +40,7 @@ PROBE_STEPS = 50  # number of steps whose lateness is measured at the start
 PROBE_LIMIT = 0.01  # s of lateness, with which the limit of 100 ms becomes 110 ms
 CHECK_TIME = 2.0  # s for which --check looks at an output
 STDERR = 2
-TELL_EVERY = 1.0  # s between two lines about the output: what comes and goes must not fill a log
+TELL_EVERY = 1.0  # s between two lines about the same trouble: what comes and goes must not fill a log
 NARROWEST, WIDEST = 0.3, 0.9  # m between the driven wheels of a chair
 
 # What `go_real_time` was granted; the catalogue has the same sentences.
@@ -79,7 +79,7 @@ class ReceiverLoop:
         self._clock = clock
         self._refusal = ""  # why the output did not take the last command; empty: it did
         self._errors = Sink(STDERR)
-        self._told = ""  # the trouble with the output that was told last
+        self._told = self._last_trouble = ""  # what was told of the output last; the last trouble among that
         self._tell_due = -math.inf  # s
         self._stepped = -math.inf  # s
         self.ending = False
@@ -144,11 +144,13 @@ class ReceiverLoop:
 
     def _tell(self, t: float, trouble: str) -> None:
         """Write a line when the output begins to fail, fails in another way, or works again; never wait for that."""
-        if trouble == self._told or t < self._tell_due:
+        is_another = trouble not in ("", self._last_trouble)
+        if trouble == self._told or (t < self._tell_due and not is_another):
             return
         with suppress(OSError):  # nobody reads stderr
             self._errors.put(f"output: {trouble or 'it works again'}")
         self._told, self._tell_due = trouble, t + TELL_EVERY
+        self._last_trouble = trouble or self._last_trouble
 
 
 def check(output: Output, clock: Clock) -> int:

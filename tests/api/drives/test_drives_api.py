@@ -94,13 +94,17 @@ def test_the_live_picture_shows_what_the_chair_says(ready: Any) -> None:
     ready.process.says |= {"driven_v": 0.3, "driven_omega": -0.1}
     picture = ready.parts[ClinicLive]._picture().model_dump()
     chair = {"kind": "udp", "state": "armed", "age": 0.08, "battery": None, "stop_input": False, "message": ""}
-    assert picture["chair"] == {**chair, "v": 0.3, "omega": -0.1}
+    assert picture["chair"] == {**chair, "v": 0.3, "omega": -0.1, "measured": False, "own_joystick": False}
     assert picture["drive"] is None
     with ready.screen():
         drive = arm(ready).json()
         while not (shown := ready.parts[ClinicLive]._picture().drive) or shown.t == 0.0:
             time.sleep(0.01)
         assert shown.id == drive["id"]
+    ready.process.says = {"chair_state": FAULT, "chair_fault": Reason.OWN_JOYSTICK, "own_joystick": 1, "measured": 1}
+    shown_chair = ready.parts[ClinicLive]._picture().chair
+    assert (shown_chair.own_joystick, shown_chair.measured) == (True, True)
+    assert str(shown_chair.message) == DESCRIPTIONS[Reason.OWN_JOYSTICK]
     ready.process.says = {"chair_state": FAULT, "chair_fault": Reason.STOP_INPUT}
     assert str(ready.parts[ClinicLive]._picture().chair.message) == DESCRIPTIONS[Reason.STOP_INPUT]
     ready.process.chair = "virtual"

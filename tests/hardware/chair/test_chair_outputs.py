@@ -1,5 +1,7 @@
 """The outputs of a receiver without a chair, and the virtual chair's report, byte by byte."""
 
+import importlib
+import inspect
 import json
 import math
 import os
@@ -12,7 +14,9 @@ import pytest
 from app.faults import State
 from app.geometry import STANDSTILL, Twist
 from app.hardware.base import HardwareError
-from app.hardware.chair.outputs import Lines, SimulatedDrive, open_output
+from app.hardware.chair.outputs import OUTPUTS, OWN_OPTIONS, Lines, OutputRefused, SimulatedDrive, open_output
+from app.hardware.chair.readings import NO_READINGS
+from app.hardware.chair.receive import _parser
 from app.hardware.chair.report import ChairReport, encode_report
 from app.messages import Tick
 
@@ -81,6 +85,47 @@ def test_the_simulated_drive_goes_where_its_wheels_lead(pipe):
     assert [line.partition(":")[0] for line in said] == ["armed"] * 4 + ["disarmed"]
     assert said[-1].endswith("Why.")
     assert not open_output("sim").is_real
+
+
+def test_the_wheels_of_the_simulated_drive_are_measured(pipe):
+    drive = SimulatedDrive(pipe[1])
+    assert drive.poll(0.0) == NO_READINGS._replace(v=0.0, omega=0.0)
+    drive.drive(0.0, "armed", Twist(0.5, -0.4), "")
+    readings = drive.poll(0.01)
+    assert (readings.v, readings.omega) == pytest.approx((0.5, -0.4))
+    assert "no chair is connected" in drive.description()
+    assert "no chair is connected" in Lines(pipe[1]).description()
+    assert Lines(pipe[1]).poll(0.0) is NO_READINGS
+
+
+@pytest.mark.parametrize("word", OUTPUTS)
+def test_the_options_of_an_output_are_those_of_its_constructor_and_of_the_command_line(word):
+    row = OUTPUTS[word]
+    if row.extra:
+        pytest.importorskip("cyclonedds.core", reason="not every machine has this library: it is the extra ros2")
+    made = inspect.signature(getattr(importlib.import_module(row.module), row.name)).parameters
+    given = vars(_parser("receiver").parse_args(["--key-file", "7.key", "--output", word]))
+    assert set(OWN_OPTIONS) <= given.keys()
+    if row.module != "app.hardware.chair.outputs":  # whose outputs have the handle of the tests' own pipe
+        assert list(made) == [*row.needs, *row.takes]
+    required = [name for name, parameter in made.items() if parameter.default is inspect.Parameter.empty]
+    assert required == list(row.needs)
+    assert {*row.needs, *row.takes} <= {*OWN_OPTIONS, "key_file"}
+
+
+@pytest.mark.parametrize(
+    ("word", "given", "why"),
+    [
+        ("sim", {"tread": 0.5}, "the output sim does not take --tread: leave it out"),
+        ("whill", {"device": "x", "tread": 0.5, "topic": "/a"}, "does not take --topic"),
+        ("whill", {"device": "x", "tread": 0.5, "chair_document": "x"}, "does not take --chair-document"),
+        ("whill", {"tread": 0.5, "device": None}, "the output whill needs --device"),
+        ("analog", {"key_file": "x"}, "the output analog needs --device"),
+    ],
+)
+def test_options_of_other_outputs_and_missing_ones_are_refused(word, given, why):
+    with pytest.raises(OutputRefused, match=why):
+        open_output(word, given)
 
 
 TICK = Tick(t=12.5, frame_seq=77, x=1.5, y=-2.0, theta=0.25, v=0.5, omega=-0.75, state=State.ARMED)

@@ -19,7 +19,7 @@ from app.news import News
 DRIVE = {"id": 1, "t": 83.0, "waits": None}
 CHAIR = {
     "kind": "udp", "state": "armed", "age": 0.02, "battery": 0.82, "stop_input": False, "v": 0.31, "omega": -0.2,
-    "message": "",
+    "own_joystick": False, "measured": True, "message": "",
 }  # fmt: skip
 TRIAL = {  # as the patient's screen gets it
     "id": 0, "t": 12.0, "done": 4.2, "length": 12.0, "stage": 0, "stages": 2,
