@@ -146,9 +146,9 @@ def test_at_its_start_the_relay_is_open_before_anything_else_and_the_voltages_ar
 def test_it_drives_what_the_receiver_sends_and_says_which_command_it_obeyed(board: Callable[..., Record]) -> None:
     record = board(a_drive())
     assert record.output(100) == AT_CENTRE
-    assert [record.output(t) for t in (101, 400, 840)] == [DRIVEN] * 3
-    assert record.status(95) == BoardStatus(STANDING, 4, 80, BOOT)
-    assert record.status(799) == BoardStatus(DRIVING, 39, 780, BOOT)
+    assert [record.output(t) for t in (101, 400, 820)] == [DRIVEN] * 3
+    assert record.status(95) == BoardStatus(STANDING, 3, 80, BOOT)
+    assert record.status(800) == BoardStatus(DRIVING, 39, 800, BOOT)
 
 
 @pytest.mark.parametrize(
@@ -189,8 +189,8 @@ def test_every_bit_of_a_command_counts(board: Callable[..., Record]) -> None:
         forged.append((t, bytes(content)))
     genuine = a_drive(800)
     record = board(sorted([*genuine, *forged], key=lambda each: each[0]))
-    assert {record.output(t) for t in range(101, 840)} == {DRIVEN}
-    assert record.status(799).number == len(genuine)
+    assert {record.output(t) for t in range(101, 820)} == {DRIVEN}
+    assert record.status(800).number == len(genuine)
 
 
 def test_what_is_old_repeated_foreign_or_cut_moves_nothing(board: Callable[..., Record]) -> None:
@@ -207,9 +207,9 @@ def test_what_is_old_repeated_foreign_or_cut_moves_nothing(board: Callable[..., 
         foreign.append((t, command(t, 5000, 900, 900)[: rng.randrange(38)]))  # cut
         foreign.append((t, rng.randbytes(rng.randrange(60))))
     record = board(sorted([*genuine, *foreign], key=lambda each: each[0]))
-    outputs = {record.output(t) for t in range(101, 840)}
+    outputs = {record.output(t) for t in range(101, 820)}
     assert outputs == {DRIVEN}
-    assert record.status(799).number == len(genuine)
+    assert record.status(800).number == len(genuine)
 
 
 def test_a_command_that_comes_byte_by_byte_counts(board: Callable[..., Record]) -> None:
@@ -230,7 +230,7 @@ def test_a_converter_that_does_not_answer_opens_the_relay_until_it_does(
 ) -> None:
     record = board(a_drive(800), fails=(411, 600, converter))
     assert record.output(410) == DRIVEN
-    assert {record.output(t).relay for t in range(425, 840)} == {0}
+    assert {record.output(t).relay for t in range(425, 820)} == {0}
     assert record.status(500).state == BROKEN
     assert record.status(700).state == WAITING
     assert record.output(700) == AT_CENTRE
