@@ -18,8 +18,11 @@ HELPS = {"help", "short_help", "epilog"}  # keywords of typer
 # Files whose sentences nobody translates, each with the reason.
 ELSEWHERE = {
     "app/hardware/chair/receive.py": "runs alone on the board of a chair",
+    "app/hardware/chair/chair_document.py": "runs alone on the board of a chair",
     "app/hardware/chair/outputs.py": "runs alone on the board of a chair",
     "app/hardware/chair/reasons.py": "runs alone on the board of a chair; the catalogue has the same",
+    "app/hardware/chair/ros2.py": "runs alone on the board of a chair",
+    "app/hardware/chair/whill.py": "runs alone on the board of a chair",
     "app/api/page_session.py": "reasons of routes, for developers",
     "app/api/routes/stop.py": "reasons of routes, for developers",
     "app/api/patient_screen/routes.py": "reasons of routes, for developers",

@@ -25,6 +25,7 @@ EXCEPTIONS: dict[str, tuple[str, ...]] = {
         "app.hardware.body.driver",
         "app.hardware.body.steering",
         "app.hardware.chair.telemetry",
+        "app.hardware.chair.telemetry_sender",
         "app.host.authority",
         "app.pipeline.commands",
         "app.pipeline.movement_check",
@@ -60,9 +61,6 @@ EXCEPTIONS: dict[str, tuple[str, ...]] = {
     "the map of one joint is fitted apart from what a profile makes of all joints": ("app.calibration.fit.joint_fit",),
     "the help of a command loads no library; what the command runs loads many": ("app.cli.study.study_runs",),
     "the arithmetic of every frame is measured and compiled apart from the decoder": ("app.pipeline.map_readings",),
-    "what a receiver sends, when and where, is read apart from the loop that keeps its limits of time": (
-        "app.hardware.chair.telemetry_sender",
-    ),
 }
 
 
