@@ -1,4 +1,4 @@
-"""The example firmware of the analog output: compiled for this machine, it obeys what the receiver sends, and no more."""
+"""The example firmware of the analog output: compiled for this machine, it obeys the receiver, and nothing else."""
 
 import random
 import re

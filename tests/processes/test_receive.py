@@ -271,7 +271,13 @@ def test_a_look_at_an_output_without_a_chair_says_so_and_moves_nothing(tmp_path)
     command = [sys.executable, "-S", "-m", "app.hardware.chair.receive", "--key-file", str(key), "--output", "sim"]
     environment = {**os.environ, "PYTHONPATH": str(ROOT)}
     run = subprocess.run(
-        [*command, "--check"], capture_output=True, text=True, env=environment, cwd=tmp_path, check=True, timeout=PATIENCE
+        [*command, "--check"],
+        capture_output=True,
+        text=True,
+        env=environment,
+        cwd=tmp_path,
+        check=True,
+        timeout=PATIENCE,
     )
     assert run.stdout.splitlines() == [
         "A simulated drive: no chair is connected, so there is nothing to look at.",

@@ -22,7 +22,7 @@ from typing import NamedTuple
 
 from app.geometry import STANDSTILL, Twist
 from app.hardware.chair.outputs import FASTEST_TWIST
-from app.hardware.chair.readings import NO_READINGS, ChairReadings
+from app.hardware.chair.readings import ChairReadings
 from app.hardware.chair.reasons import Reason
 from app.hardware.chair.serial_port import SerialPort
 

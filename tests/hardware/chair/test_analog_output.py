@@ -72,9 +72,7 @@ def status_bytes(state, number, time, boot):
 @given(st.lists(st.one_of(st.binary(max_size=30), st.tuples(u8, u32, u32, u32)), max_size=10), st.integers(1, 40))
 def test_statuses_are_found_in_any_junk_in_pieces_of_any_size(parts, size):
     told = [part for part in parts if isinstance(part, tuple)]
-    content = b"".join(
-        status_bytes(*part) if isinstance(part, tuple) else part.replace(b"B", b"b") for part in parts
-    )
+    content = b"".join(status_bytes(*part) if isinstance(part, tuple) else part.replace(b"B", b"b") for part in parts)
     received, found = bytearray(), []
     for start in range(0, len(content), size):
         received += content[start : start + size]

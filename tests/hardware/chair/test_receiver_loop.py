@@ -45,14 +45,14 @@ class FloodedSocket:
 
 
 class OutputLog:
-    """An output that keeps a log; `broken` makes it fail, `deaf` its chair silent; `readings` are those of its chair."""
+    """An output that keeps a log; `broken` makes it fail, `deaf` its chair silent, which has `readings`."""
 
     def __init__(self, is_real=False):
         self.is_real, self.broken, self.deaf = is_real, False, False
         self.readings = NO_READINGS
         self.said = []
 
-    def poll(self, t):
+    def poll(self, _t):
         if self.deaf:
             raise TimeoutError(110, "the chair reports nothing")
         return self.readings

@@ -4,6 +4,7 @@ import math
 import os
 import pty
 import random
+from itertools import pairwise
 
 import pytest
 from hardware.chair.driven_output import DrivenOutput
@@ -146,7 +147,7 @@ def test_it_drives_and_its_measured_speeds_come_back(driven, chair):
 def test_commands_keep_the_distance_that_the_chair_needs(driven, chair):
     driven.drive()
     times = [t for t, _ in chair.commands]
-    assert min(later - earlier for earlier, later in zip(times, times[1:], strict=False)) >= 0.0179
+    assert min(later - earlier for earlier, later in pairwise(times)) >= 0.0179
 
 
 def test_a_turn_is_no_faster_than_the_wheels_of_the_chair_turn(port):
@@ -160,8 +161,7 @@ def test_a_turn_is_no_faster_than_the_wheels_of_the_chair_turn(port):
 @given(st.floats(allow_nan=False, min_value=-1e6, max_value=1e6), st.floats(-1e6, 1e6, allow_nan=False))
 def test_no_twist_leaves_the_range_of_the_chair(v, omega):
     front, side = (
-        int.from_bytes(whill.velocity_command(Twist(v, omega), TREAD)[at : at + 2], "big", signed=True)
-        for at in (4, 6)
+        int.from_bytes(whill.velocity_command(Twist(v, omega), TREAD)[at : at + 2], "big", signed=True) for at in (4, 6)
     )
     assert -500 <= front <= 1500
     assert -750 <= side <= 750
