@@ -260,7 +260,7 @@ def test_what_cannot_be_is_refused_in_one_sentence(options, tmp_path):
     key = tmp_path / "key"
     key.touch(mode=0o600)
     key.write_text(f"1 {'0' * 64}\n")
-    said = refused(tmp_path, "--key-file", str(key), "--output", "stdout", *options)
+    said = refused(tmp_path, "--key-file", str(key), "--output", "stdout", "--port", "0", *options)
     assert REFUSED[options] in said
 
 

@@ -218,6 +218,23 @@ def test_what_the_chair_says_stops_and_is_told(turning, change, reason, capfd):
     assert len(capfd.readouterr().err.splitlines()) == 1
 
 
+@pytest.mark.parametrize("turning", [True], indirect=True)
+def test_a_trouble_that_comes_and_goes_is_told_once_a_second(turning, capfd):
+    loop, flooded, output, _ = turning
+    poll, begun = output.poll, flooded.clock.now()
+
+    def flapping(t):
+        output.deaf = not output.deaf
+        loop.ending = t - begun > 2.5
+        return poll(t)
+
+    output.poll = flapping
+    loop.run()
+    lines = capfd.readouterr().err.splitlines()
+    assert set(lines) == {"output: the chair reports nothing", "output: it works again"}
+    assert len(lines) == 3
+
+
 def test_a_machine_that_wakes_late_says_so_at_the_start():
     assert slowness(FakeClock()) == []
 
