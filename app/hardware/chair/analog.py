@@ -112,10 +112,10 @@ class AnalogBoard:
         """Command the deflection of `twist`, or the centre with the relay open while the chair is disarmed."""
         if t < self._due or self._status is None:
             return
-        self._due = t + EVERY
         is_driven = state == "armed" or twist != STANDSTILL
         if self._port.write(self._command(self._status, is_driven, twist), t):
             self._unanswered.append((self._number, t))
+            self._due = t + EVERY
 
     def description(self) -> str:
         """Return what the board says."""

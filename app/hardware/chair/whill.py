@@ -113,10 +113,10 @@ class WhillLine:
         """Command `twist`, or give the chair back to its own joystick."""
         if t < self._due:
             return
-        self._due = t + EVERY
         is_driven = state == "armed" or twist != STANDSTILL
         self._has_driven |= is_driven
-        self._port.write(velocity_command(twist, self._tread) if is_driven else release_command(), t)
+        if self._port.write(velocity_command(twist, self._tread) if is_driven else release_command(), t):
+            self._due = t + EVERY
 
     def description(self) -> str:
         """Return what the chair reports."""

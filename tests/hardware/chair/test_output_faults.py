@@ -208,8 +208,10 @@ def test_a_fault_stops_and_no_old_speed_comes_back(make, case):
     begin(rig)
     rig.drive.until(lambda: rig.drive.state is not ReceiverState.ARMED, STOPPED_WITHIN, *SPEEDS, DRIVE)
     assert rig.drive.reason is reason
+    nonce = rig.drive.chair.receiver.nonce
     rig.drive.run(RAMP + 0.05, *SPEEDS, DRIVE)
     assert rig.drive.chair.receiver.driven == (0.0, 0.0)
+    assert rig.drive.chair.receiver.nonce == nonce, "it was disarmed once"
     assert case in OUT_OF_REACH or not rig.is_moved
     end(rig)
     rig.drive.run(0.1, *SPEEDS, DRIVE)
@@ -231,8 +233,9 @@ def test_what_is_wrong_before_arming_keeps_it_from_arming(make, case):
         return  # it is well again at once
     rig.drive.run(0.3)
     rig.drive.chair.epoch += 1
-    rig.drive.run(0.8, 0.0, 0.0)
-    assert rig.drive.state is ReceiverState.FAULT
+    for _ in range(40):
+        rig.drive.run(0.02, 0.0, 0.0)
+        assert rig.drive.state is ReceiverState.FAULT
     assert not rig.is_moved
     end(rig)
     rig.drive.drive(*SPEEDS)

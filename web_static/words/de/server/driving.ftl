@@ -16,7 +16,7 @@ drives-shirt-unpaired = Das Shirt ist nicht mehr gekoppelt: { $problem }.
 drives-chair-unpaired = Der Rollstuhl ist nicht mehr gekoppelt: { $problem }.
 drives-only-recorded = Ein echter Rollstuhl fährt nur, während aufgezeichnet wird. Beginnen Sie zuerst eine Fahrt.
 # $state is a whole sentence: the state of the chair.
-drives-switch-pressed = { $state } Sehen Sie sich um, lösen Sie Stoppschalter und Joystick, und geben Sie den Rollstuhl dann noch einmal frei.
+drives-switch-pressed = { $state } Sehen Sie sich um, lösen Sie den Stoppschalter, lassen Sie den Joystick los, und geben Sie den Rollstuhl dann noch einmal frei.
 drives-switch-unproved = Mit „Hält das Tempo“ oder „Dreht weiter“ fährt ein Rollstuhl von selbst weiter. Deshalb braucht ein echter seinen Stoppschalter. Drücken und lösen Sie den Schalter einmal, um zu zeigen, dass er funktioniert, oder wählen Sie auf der Seite „Steuerung“ „Folgt der Bewegung“.
 drives-virtual-chair-chosen = Der virtuelle Rollstuhl ist gewählt. Wählen Sie zuerst einen echten.
 drives-not-practised = Dieses Set wurde mit dem virtuellen Rollstuhl dieser Klinik nie geübt. Fahren Sie damit zuerst einen Durchgang zu Ende, und lassen Sie ihn zählen.
