@@ -246,6 +246,6 @@ def test_its_numbers_are_those_of_the_receiver_and_of_the_page() -> None:
     assert analog.EVERY * 1000 < constants["SILENCE"] < SILENCE
     assert set(analog.STATES) == {WAITING, STANDING, DRIVING, NO_KEY, BROKEN}
     page = (ROOT / "docs" / "chairs.md").read_text(encoding="utf-8")
-    assert "within 50 ms" in page
+    assert "Within 50 ms of the last command" in page
     assert f"`0x{FORWARD:x}`" in page
     assert f"`0x{RIGHT:x}`" in page

@@ -251,6 +251,7 @@ REFUSED = {
     ("--output", "analog", "--device", "/dev/none", "--chair-document", "none"): "the chair document none",
     ("--output", "luci"): "bodydrive[ros2]",
     ("--message", "Odometry"): "Odometry",
+    ("--backward-motor", "both"): "both",
     ("--stop",): "--stop",
 }
 

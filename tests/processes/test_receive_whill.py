@@ -29,7 +29,8 @@ def wait_until(condition):
 
 
 def test_it_drives_measures_and_gives_way_to_a_hand_on_the_chair_s_own_joystick(chair, tmp_path):
-    receiver = Receiver(tmp_path, "--device", chair.device, "--tread", "0.5", output="whill")
+    options = ("--device", chair.device, "--tread", "0.5", "--backward-motor", "right")
+    receiver = Receiver(tmp_path, *options, output="whill")
     sender = StrangeSender(receiver.port)
     try:
         for _ in range(10):  # a busy machine may stop the chair

@@ -165,12 +165,13 @@ OUTPUTS: Mapping[str, OutputRow] = {
     "stdout": OutputRow(__name__, "Lines"),
     "ros2": OutputRow("app.hardware.chair.ros2", "Ros2Twist", takes=("topic", "message", "frame"), extra="ros2"),
     "luci": OutputRow("app.hardware.chair.luci", "LuciRemote", takes=("chair_document",), extra="ros2"),
-    "whill": OutputRow("app.hardware.chair.whill", "WhillLine", needs=("device", "tread")),
+    "whill": OutputRow("app.hardware.chair.whill", "WhillLine", needs=("device", "tread"), takes=("backward_motor",)),
     "analog": OutputRow(
         "app.hardware.chair.analog", "AnalogBoard", needs=("device", "key_file"), takes=("chair_document",)
     ),
 }
-OWN_OPTIONS = ("device", "tread", "topic", "message", "frame", "chair_document")  # each of some outputs only
+# Each of some outputs only.
+OWN_OPTIONS = ("device", "tread", "backward_motor", "topic", "message", "frame", "chair_document")
 
 
 def open_output(word: str, given: Mapping[str, object] | None = None) -> Output:

@@ -305,6 +305,7 @@ def _parser(program: str) -> argparse.ArgumentParser:
     own = parser.add_argument_group("of some outputs only").add_argument
     own("--device", metavar="FILE", help="whill, analog: the serial line, such as one in /dev/serial/by-id")
     own("--tread", type=_tread, metavar="M", help="whill: between the middles of the driven wheels, by a tape measure")
+    own("--backward-motor", choices=["right", "left", "none"], help="whill: the one that is negative forwards")
     own("--topic", metavar="NAME", help="ros2: where to publish (default /cmd_vel)")
     own("--message", choices=["Twist", "TwistStamped"], help="ros2: of which type (default Twist)")
     own("--frame", metavar="NAME", help="ros2: of a TwistStamped (default base_link)")

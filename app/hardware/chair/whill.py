@@ -9,7 +9,10 @@ A frame is the byte AF, the length of what follows, a payload, and the XOR of al
 Numbers are big-endian; front is forwards, side to the right. `side` is the difference of the speeds of both wheels, so
 a turn rate is multiplied by the tread. Source: the maker's SDK (PyPI `whill` 1.5.0, MIT); for `side`, the maker's
 `convert_radps_to_whill_speed` of ros_whill.
-The SDK does not say whether the chair stops by itself when commands end; the SDK itself then sends zeros.
+
+The chair's data set 1 has the speeds of both motors, of which one may count backwards. The maker's sources differ in
+which: ros_whill negates the left one, the newest state of the SDK the right one, version 1.5.0 none. It is an option.
+The SDK does not say whether the chair stops by itself when commands end; its newest state sends zeros after 0.1 s.
 """
 
 import errno
@@ -48,14 +51,17 @@ _START = Struct(">BBHB")
 _STATE = Struct(">B12xbbB2x4xhhBxBx")
 
 
+UNMEASURED = Twist(math.nan, math.nan)
+
+
 class WhillState(NamedTuple):
     """The chair's data set 1, as far as it is used."""
 
     front: int  # percent, of the chair's own joystick
     side: int  # percent, right positive
     battery: int  # percent
-    v: float  # m/s
-    omega: float  # rad/s
+    right: float  # m/s, as the right motor counts
+    left: float  # m/s
     is_on: bool
     error: int  # 0: none
 
@@ -64,12 +70,13 @@ class WhillState(NamedTuple):
         """Whether somebody moves the chair's own joystick."""
         return max(abs(self.front), abs(self.side)) >= TOUCHED
 
-    @property
-    def readings(self) -> ChairReadings:
-        """What the chair reports of itself."""
-        trouble = Reason.CHAIR_ERROR if self.error else Reason.NONE if self.is_on else Reason.CHAIR_OFF
-        charge = self.battery / 100 if self.battery <= 100 else math.nan
-        return ChairReadings(self.v, self.omega, charge, self.is_touched, trouble)
+    def measured(self, tread: float, backward_motor: str | None) -> Twist:
+        """Return the speeds that the motors report; NaN where it is not known which of them counts backwards."""
+        if backward_motor is None:
+            return UNMEASURED
+        right = -self.right if backward_motor == "right" else self.right
+        left = -self.left if backward_motor == "left" else self.left
+        return Twist((right + left) / 2, (right - left) / tread)
 
 
 class WhillLine:
@@ -84,10 +91,21 @@ class WhillLine:
 
     is_real = True
 
-    def __init__(self, device: str, tread: float) -> None:
-        """`tread`: m between the middles of the driven wheels. Raise OutputRefused when the line cannot be opened."""
+    def __init__(self, device: str, tread: float, backward_motor: str | None = None) -> None:
+        """Open the line; raise OutputRefused when that is not possible.
+
+        Parameters
+        ----------
+        device : str
+            The serial line.
+        tread : float
+            m between the middles of the driven wheels.
+        backward_motor : str or None
+            "right" or "left": the motor whose speed is negative when the chair drives forwards; "none": neither. None:
+            that is not known, and no speed counts as measured.
+        """
         self._port = SerialPort(device, BAUD)
-        self._tread = tread
+        self._tread, self._backward_motor = tread, backward_motor
         self.most = Twist(FASTEST_TWIST.v, min(FASTEST_TWIST.omega, MOST_SIDE * SPEED_STEP / tread))
         self._bytes = bytearray()
         self._state: WhillState | None = None  # the newest
@@ -99,11 +117,15 @@ class WhillLine:
         """Return the chair's newest readings; ask for them where none come."""
         self._bytes += self._port.read(t)
         for payload in payloads(self._bytes):
-            state = state_of(payload, self._tread)
-            if state is not None:
-                self._state, self._state_t = state, t
-        if self._state is not None and t - self._state_t <= SILENT:
-            return self._state.readings
+            newest = state_of(payload)
+            if newest is not None:
+                self._state, self._state_t = newest, t
+        state = self._state
+        if state is not None and t - self._state_t <= SILENT:
+            charge = state.battery / 100 if state.battery <= 100 else math.nan
+            trouble = Reason.CHAIR_ERROR if state.error else Reason.NONE if state.is_on else Reason.CHAIR_OFF
+            v, omega = state.measured(self._tread, self._backward_motor)
+            return ChairReadings(v, omega, charge, state.is_touched, trouble)
         self._state = None
         if t >= self._ask_due and self._port.write(start_command(), t):
             self._ask_due, self._due = t + ASK_EVERY, t + EVERY
@@ -126,10 +148,18 @@ class WhillLine:
                 f"A serial line {self._port.device}: no WHILL reports anything on it. Switch the chair on, and connect "
                 "its serial interface (Model CR and CR2 have one)."
             )
+        v, omega = state.measured(self._tread, self._backward_motor)
+        speeds = (
+            f"measured speed {v:.2f} m/s and {omega:.2f} rad/s with a tread of {self._tread:g} m."
+            if self._backward_motor is not None
+            else f"its right motor at {state.right:.2f} m/s and its left one at {state.left:.2f} m/s. Which of them "
+            "counts backwards is not given, so no speed counts as measured: drive forwards by the chair's own joystick "
+            "during --check, and give the motor with the minus sign as --backward-motor."
+        )
         return (
             f"A WHILL on {self._port.device}: {'on' if state.is_on else 'switched off'}, battery {state.battery} %, "
             f"error code {state.error}, its own joystick at {state.front} % ahead and {state.side} % to the right, "
-            f"measured speed {state.v:.2f} m/s and {state.omega:.2f} rad/s with a tread of {self._tread:g} m."
+            f"{speeds}"
         )
 
     def close(self) -> None:
@@ -184,10 +214,9 @@ def payloads(received: bytearray) -> Iterator[bytes]:
             yield payload
 
 
-def state_of(payload: bytes, tread: float) -> WhillState | None:
-    """Return the state in a payload; None when it holds something else. The right motor counts backwards."""
+def state_of(payload: bytes) -> WhillState | None:
+    """Return the state in a payload; None when it holds something else."""
     if len(payload) != _STATE.size or payload[0] != STATE_SET:
         return None
     _, front, side, battery, right, left, power, error = _STATE.unpack(payload)
-    right, left = -right * SPEED_STEP, left * SPEED_STEP
-    return WhillState(front, side, battery, (right + left) / 2, (right - left) / tread, power != 0, error)
+    return WhillState(front, side, battery, right * SPEED_STEP, left * SPEED_STEP, power != 0, error)

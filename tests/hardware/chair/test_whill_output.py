@@ -67,13 +67,13 @@ def port(chair, monkeypatch):
 
 @pytest.fixture
 def driven(port):
-    return DrivenOutput(whill.WhillLine("/dev/whill", TREAD))
+    return DrivenOutput(whill.WhillLine("/dev/whill", TREAD, "right"))
 
 
 def test_a_thousand_commands_are_the_sdk_s_byte_by_byte(sdk):
     rng = random.Random(1)
     for _ in range(1000):
-        front, side = rng.randint(-700, 1700), rng.randint(-900, 900)
+        front, side = rng.randint(-500, 1500), rng.randint(-750, 750)  # what the chair takes; the SDK does not look
         sdk.send_velocity(front, side)
         twist = Twist(front * STEP_SPEED, -side * STEP_SPEED / TREAD)
         assert whill.velocity_command(twist, TREAD) == sdk.com.written[-1], (front, side)
@@ -94,11 +94,9 @@ def test_the_sdk_reads_the_chair_s_states_as_this_program_does(sdk, chair):
         sdk.com.coming = chair.state()
         assert sdk.refresh()
         (payload,) = whill.payloads(bytearray(chair.state()))
-        ours = whill.state_of(payload, TREAD)
-        right, left = sdk.right_motor["speed"] / 3.6, sdk.left_motor["speed"] / 3.6
-        assert ours.v == pytest.approx((right + left) / 2)
-        assert ours.omega == pytest.approx((right - left) / TREAD)
-        assert (ours.v, ours.omega) == (pytest.approx(chair.v), pytest.approx(chair.omega))
+        ours = whill.state_of(payload)
+        assert (3.6 * ours.right, 3.6 * ours.left) == pytest.approx((sdk.right_motor["speed"], sdk.left_motor["speed"]))
+        assert ours.measured(TREAD, "right") == pytest.approx((chair.v, chair.omega))
         assert (ours.front, ours.side) == (sdk.joy["front"], sdk.joy["side"])
         assert (ours.battery, ours.is_on, ours.error) == (sdk.battery["level"], bool(sdk.power_status), sdk.error_code)
 
@@ -119,7 +117,7 @@ def test_states_are_found_in_any_junk_in_pieces_of_any_size(parts, size):
 def test_no_bytes_whatever_are_a_trouble(content):
     received = bytearray(content)
     for payload in whill.payloads(received):
-        whill.state_of(payload, TREAD)
+        whill.state_of(payload)
     assert len(received) <= 2 + whill.LARGEST_LENGTH
 
 
@@ -142,6 +140,21 @@ def test_it_drives_and_its_measured_speeds_come_back(driven, chair):
     assert (readings.battery, readings.obstacle) == (0.8, Reason.NONE)
     driven.run(0.6)  # silence
     assert (chair.v, chair.omega, chair.own_joystick_on) == (0.0, 0.0, True)
+
+
+def test_which_motor_counts_backwards_is_an_option_and_without_it_nothing_is_measured(port, chair):
+    chair.front, chair.side = 450, -100  # 0.5 m/s, to the left
+    state = whill.state_of(chair.state()[2:-1])
+    assert state.measured(TREAD, "right") == pytest.approx((chair.v, chair.omega))
+    mirrored = state._replace(right=-state.right, left=-state.left)
+    assert mirrored.measured(TREAD, "left") == pytest.approx((chair.v, chair.omega))
+    plain = state._replace(right=-state.right)
+    assert plain.measured(TREAD, "none") == pytest.approx((chair.v, chair.omega))
+    driven = DrivenOutput(whill.WhillLine("/dev/whill", TREAD)).drive(0.4, 0.0)
+    readings = driven.output.poll(driven.t)
+    assert (math.isnan(readings.v), math.isnan(readings.omega), readings.battery) == (True, True, 0.8)
+    assert "its right motor at -0.40 m/s and its left one at 0.40 m/s" in driven.output.description()
+    assert "give the motor with the minus sign as --backward-motor" in driven.output.description()
 
 
 def test_commands_keep_the_distance_that_the_chair_needs(driven, chair):
@@ -179,7 +192,7 @@ def test_it_says_what_it_found(driven, chair, port):
     driven.run(0.3)
     description = driven.output.description()
     assert "A WHILL on /dev/whill: on, battery 80 %, error code 7" in description
-    assert "at 3 % ahead and -4 % to the right" in description
+    assert "at 3 % ahead and -4 % to the right, measured speed 0.00 m/s" in description
 
 
 def test_closing_gives_the_chair_back_only_where_it_was_driven(driven, chair, port):
