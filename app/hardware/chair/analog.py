@@ -154,7 +154,7 @@ def command_bytes(key: Key, is_driven: bool, forwards: int, right: int, number: 
 
 def statuses(received: bytearray) -> list[BoardStatus]:
     """Return the whole, right statuses; take these, and what belongs to none, out of `received`."""
-    found = []
+    found: list[BoardStatus] = []
     while True:
         start = received.find(STATUS_MAGIC)
         if start < 0:  # the magic may have begun

@@ -12,7 +12,7 @@ import os
 from collections.abc import Sequence
 from itertools import pairwise
 from pathlib import Path
-from typing import NamedTuple, NoReturn
+from typing import NamedTuple, NoReturn, TypeGuard
 
 from app.geometry import Twist
 from app.hardware.chair.outputs import FASTEST_TWIST, OutputRefused
@@ -132,12 +132,12 @@ def _parsed(text: str, file: Path) -> JoystickTable:
     return JoystickTable(forward, back, turn, most, f"Speeds are by the chair document {file}.")
 
 
-def _is_number(value: object) -> bool:
+def _is_number(value: object) -> TypeGuard[float]:
     """Return whether a value of a JSON document is a number that can be compared; true and 1e999 are none."""
     return isinstance(value, int | float) and not isinstance(value, bool) and abs(value) <= LARGEST_NUMBER
 
 
-def _is_table(rows: object) -> bool:
+def _is_table(rows: object) -> TypeGuard[list[list[float]]]:
     return (
         isinstance(rows, list)
         and 1 <= len(rows) <= MOST_ROWS
