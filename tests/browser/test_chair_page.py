@@ -169,8 +169,8 @@ def is_armed_when_nothing_is_missing(page, keep, chair):
 def stops_by_key_and_by_touch(page, keep, bend):
     speed = page.locator(".drive-speed .giant")
     bend_until(page, speed, 0.1, bend)
-    expect(told_by_chair(page)).to_contain_text("Commanded speed")
-    expect(told_by_chair(page)).to_contain_text("Measured speed")  # of the simulated drive's wheels
+    expect(told_by_chair(page)).to_contain_text("Commanded")
+    expect(told_by_chair(page)).to_contain_text("Measured")  # of the simulated drive's wheels
     keep("chair-drives")
     page.get_by_role("button", name="Speed dial, share of the speeds −").click()
     expect(page.locator(".dial output")).to_have_text("90 %")
