@@ -9,7 +9,7 @@ from pydantic import Field
 
 from app.hardware.addresses import FilePlace, Host, SerialLine
 from app.hardware.chair.packet import PORT
-from app.hardware.shirt import replay, simulator, udp
+from app.hardware.shirt import replay, serial_line, simulator, udp
 from app.hardware.shirt.kind import ShirtConfig, ShirtKind
 from app.quantities import Count, Document, Port, Title
 from app.speed_limits import Speeds
@@ -17,6 +17,7 @@ from app.speed_limits import Speeds
 KINDS: tuple[ShirtKind[Any], ...] = (
     simulator.KIND,
     replay.KIND,
+    serial_line.KIND,
     udp.KIND,
 )
 SHIRTS: Mapping[str, ShirtKind[Any]] = {kind.name: kind for kind in KINDS}
