@@ -1095,7 +1095,7 @@ export interface paths {
             };
             requestBody: {
                 content: {
-                    "application/json": components["schemas"]["SimulatorConfig"] | components["schemas"]["ReplayConfig"] | components["schemas"]["UdpConfig"];
+                    "application/json": components["schemas"]["SimulatorConfig"] | components["schemas"]["ReplayConfig"] | components["schemas"]["SerialConfig"] | components["schemas"]["UdpConfig"];
                 };
             };
             responses: {
@@ -7488,6 +7488,36 @@ export interface components {
             other: string;
             others: number;
         };
+        SerialConfig: {
+            /**
+             * @description discriminator enum property added by openapi-typescript
+             * @enum {string}
+             */
+            kind: "serial";
+            /** @default /dev/ttyACM0 */
+            device?: string;
+            /**
+             * @default 115200
+             * @example 115200
+             * @example 230400
+             * @example 250000
+             * @example 460800
+             * @example 500000
+             * @example 921600
+             * @example 1000000
+             * @example 2000000
+             */
+            baud?: number;
+            /**
+             * @default frames
+             * @enum {string}
+             */
+            format?: "frames" | "lines";
+            /** @default 100 */
+            sample_rate?: number;
+            /** Format: layout */
+            layout?: components["schemas"]["ShirtLayout"];
+        };
         SessionComparison: {
             earlier: components["schemas"]["SessionRecordView"];
             later: components["schemas"]["SessionRecordView"];
@@ -8260,6 +8290,7 @@ export type ScreenStateView = components['schemas']['ScreenStateView'];
 export type ScreenView = components['schemas']['ScreenView'];
 export type ScreensView = components['schemas']['ScreensView'];
 export type SendersView = components['schemas']['SendersView'];
+export type SerialConfig = components['schemas']['SerialConfig'];
 export type SessionComparison = components['schemas']['SessionComparison'];
 export type SessionDrive = components['schemas']['SessionDrive'];
 export type SessionRecordView = components['schemas']['SessionRecordView'];

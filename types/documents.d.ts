@@ -108,6 +108,7 @@ export type FieldSchema = {
   maxLength?: number;
   examples?: (string | number)[];
   enum?: (string | number)[];
+  titles?: Record<string, string>;
   choices?: { title: string; at: number[] }[];
   anyOf?: FieldSchema[];
 };

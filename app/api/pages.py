@@ -49,7 +49,7 @@ LANGUAGE_MODULE: Final = "js/language.js"  # says the language of the pages
 
 DOCS_LIST: Final = "README"  # of docs/, the page that lists all others
 MARKDOWN: Final = ".md"
-DOCS_KINDS: Final = {".webp": "image/webp"}  # of files beside the pages; all others are plain text
+DOCS_KINDS: Final = {".svg": "image/svg+xml", ".webp": "image/webp"}  # of other files; all others are plain text
 NO_DOCS_PAGE: Final = Text("refused-no-docs-page")
 
 VERSION: Final = re.compile(r"v-([0-9a-f]+)-([A-Za-z-]+)/")

@@ -65,6 +65,11 @@ def test_a_page_has_its_title_the_frame_and_our_policy(clinic: Any) -> None:
     assert "default-src 'none'" in answer.headers["Content-Security-Policy"]
 
 
+def test_pictures_have_their_types(clinic: Any) -> None:
+    for name, kind in (("wired-shirt.svg", "image/svg+xml"), ("shirt.webp", "image/webp")):
+        assert clinic.client.get(f"/docs/pictures/{name}").headers["Content-Type"] == kind
+
+
 @pytest.mark.parametrize("name", ["../pyproject", "%2e%2e/README", "..%2fREADME", "nobody", "README.md/", "pictures/"])
 def test_nothing_outside_of_the_folder_is_a_page(clinic: Any, name: str) -> None:
     assert clinic.client.get(f"/docs/{name}", follow_redirects=False).status_code == 404

@@ -59,12 +59,14 @@ def test_every_source_of_frames_declares_whether_it_may_arm_a_real_chair():
     assert {kind.name: (kind.trust, kind.simulated) for kind in SHIRTS.values()} == {
         "simulator": (Trust.NEVER, True),
         "replay": (Trust.NEVER, True),
+        "serial": (Trust.WIRED, False),
         "udp": (Trust.WITH_KEY, False),
     }
     udp = {"kind": "udp", "layout": small_layout().model_dump(mode="json")}
     for document, why in (
         ({"kind": "simulator"}, NOBODY_WEARS_IT),
         ({"kind": "replay", "file": "a"}, NOBODY_WEARS_IT),
+        ({"kind": "serial"}, None),
         (udp, NO_KEY),
         ({**udp, "key_file": "shirt-1.key"}, None),
     ):
@@ -94,6 +96,8 @@ def test_the_documents_of_the_protocol_are_understood():
     udp = {"kind": "udp", "host": "127.0.0.1", "port": 5252, "layout": layout, "sample_rate": 100}
     assert parse_shirt(udp).layout == small_layout()
     assert len(parse_shirt({"kind": "udp"}).layout.channels) == 52  # the standard shirt's
+    wired = parse_shirt({"kind": "serial", "device": "/dev/ttyUSB0", "baud": 2_000_000, "format": "lines"})
+    assert (wired.device, wired.sample_rate, len(wired.layout.channels)) == ("/dev/ttyUSB0", 100.0, 52)
     assert parse_body({"kind": "person", "skill": "novice", "seed": 1}) == PersonConfig(kind="person", skill="novice")
     assert parse_body({"kind": "visitor"}) == VisitorConfig(kind="visitor")
     assert parse_body({"kind": "recorded", "file": "body.csv"}).file == "body.csv"
@@ -107,14 +111,18 @@ def test_the_documents_of_the_protocol_are_understood():
 @pytest.mark.parametrize(
     ("document", "words"),
     [
-        (None, 'needs a "kind": give one of simulator, replay, udp'),
+        (None, 'needs a "kind": give one of simulator, replay, serial, udp'),
         ({}, 'needs a "kind"'),
-        ({"kind": "silk"}, "no shirt of the kind 'silk': use one of simulator, replay, udp"),
+        ({"kind": "silk"}, "no shirt of the kind 'silk': use one of simulator, replay, serial, udp"),
         ({"kind": "simulator", "sample_rate": float("nan")}, "sample_rate"),
         ({"kind": "simulator", "sample_rate": 1}, "sample_rate"),
         ({"kind": "simulator", "sample_rate": "100"}, "sample_rate"),
         ({"kind": "simulator", "colour": "red"}, "colour"),
         ({"kind": "replay"}, "file"),
+        ({"kind": "serial", "device": "/dev/zero"}, "device"),
+        ({"kind": "serial", "baud": 9600}, "baud"),
+        ({"kind": "serial", "baud": True}, "baud"),
+        ({"kind": "serial", "format": "cobs"}, "format"),
         ({"kind": "udp", "port": 70_000, "layout": small_layout().model_dump()}, "port"),
         ({"kind": "udp", "host": "a host", "layout": small_layout().model_dump()}, "host"),
         ({"kind": "udp", "layout": None}, "layout"),

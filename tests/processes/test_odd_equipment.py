@@ -54,6 +54,7 @@ FIELDS = {
     "shirt's host": lambda text: shirt(host=text),
     "shirt's port": lambda text: shirt(port=text),
     "shirt's file": lambda text: ("PUT", "/equipment/shirt", {"kind": "replay", "file": text}),
+    "shirt's serial line": lambda text: ("PUT", "/equipment/shirt", {"kind": "serial", "device": text}),
     "shirt's kind": lambda text: shirt(kind=text),
     "layout's name": lambda text: layout(name=text),
     "channel's name": lambda text: layout(channels=first(LAYOUT["channels"], name=text)),

@@ -5,7 +5,7 @@ import re
 from folders import ROOT
 
 PAGE = (ROOT / "docs" / "architecture.md").read_text(encoding="utf-8")
-TOP = ("app", "bench", "data", "docs", "tests", "types", "web_static")
+TOP = ("app", "bench", "data", "docs", "examples", "tests", "types", "web_static")
 NAME = re.compile(rf"`((?:{'|'.join(TOP)})/[\w./]*)`")
 NAMED = NAME.findall(PAGE)
 QUESTIONS = re.findall(r"^\| (.+\?) \| `(.+)` \|$", PAGE, flags=re.MULTILINE)
@@ -44,7 +44,7 @@ def test_every_folder_has_its_paragraph():
     paragraphs = re.findall(r"^\*\*`([\w/]+)/`\*\*", PAGE, flags=re.MULTILINE)
     folders = {file.parent.relative_to(ROOT).as_posix() for file in (ROOT / "app").rglob("*.py")}
     packages = {"/".join(folder.split("/")[:2]) for folder in folders}
-    assert sorted(paragraphs) == sorted({*packages, "bench", "data", "tests", "web_static"})
+    assert sorted(paragraphs) == sorted({*packages, "bench", "data", "examples", "tests", "web_static"})
     named = {name.rstrip("/") for name in NAMED}
     assert sorted(folders - named) == []
 

@@ -4,10 +4,12 @@ import socket
 
 import numpy as np
 from fake_clock import FakeClock
+from hardware.shirt.wired_board import WiredBoard
 
 from app.clock import MonotonicClock
 from app.hardware.shirt.packet import encode
 from app.hardware.shirt.replay import ReplayConfig, ReplayedShirt
+from app.hardware.shirt.serial_line import SerialConfig, SerialShirt
 from app.hardware.shirt.simulator import SimulatedShirt, SimulatorConfig
 from app.hardware.shirt.udp import UdpConfig, UdpShirt
 from app.layout import Channel, Joint, ShirtLayout
@@ -81,4 +83,31 @@ class UdpCase:
         self.device.close()
 
 
-SHIRTS = (SimulatedCase, ReplayedCase, UdpCase)
+class FramesCase:
+    """The shirt on a cable, and a board that sends frames on a pseudo terminal."""
+
+    format = "frames"
+
+    def __init__(self, _tmp_path, clock=None):
+        self.clock = clock or MonotonicClock()
+        self.board = WiredBoard(sends_lines=self.format == "lines", rate=RATE)
+        self.first_device = self.board.device
+        config = SerialConfig(
+            kind="serial", device=self.first_device, format=self.format, layout=small_layout(), sample_rate=RATE
+        )
+        self.shirt = SerialShirt(config, self.clock)
+
+    def let_come(self, count):
+        self.board.send(count)
+
+    def end(self):
+        self.board.pull()
+
+
+class LinesCase(FramesCase):
+    """The shirt on a cable, and a board that sends plain lines."""
+
+    format = "lines"
+
+
+SHIRTS = (SimulatedCase, ReplayedCase, UdpCase, FramesCase, LinesCase)

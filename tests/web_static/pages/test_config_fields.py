@@ -109,3 +109,16 @@ def test_two_sensors_of_the_simulated_shirt_can_be_dead(drawn: Callable[..., Any
     assert page["shown"][-1]["segments"] == ["All work", "Two are dead"]
     assert page["shown"][0]["options"] == ["50 Hz", "100 Hz", "200 Hz", "500 Hz", "1000 Hz"]
     assert page["in_use"] == "Simulated shirt, 100 frames a second"
+
+
+def test_a_choice_is_shown_by_its_words_and_sent_by_its_name(drawn: Callable[..., Any]) -> None:
+    serial = SHIRTS["serial"]
+    page = drawn(serial, {}, **{"Serial line": "/dev/ttyUSB0", "Baud rate": "2000000", "Format": "lines"})
+    shown = {field["label"]: field for field in page["shown"]}
+    assert list(shown) == ["Serial line", "Baud rate", "Format", "Frames a second", "Layout"]
+    assert shown["Format"]["options"] == ["Frames with a checksum", "Plain lines of numbers"]
+    assert shown["Baud rate"]["options"][0] == "115200"
+    assert serial.config.model_validate(page["before"]) == serial.config(kind="serial")
+    after = serial.config.model_validate(page["after"])
+    assert after == serial.config(kind="serial", device="/dev/ttyUSB0", baud=2_000_000, format="lines")
+    assert page["in_use"] == "Shirt on the cable at /dev/ttyUSB0"

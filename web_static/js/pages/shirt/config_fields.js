@@ -113,12 +113,14 @@ function figure(schema, value) {
 }
 
 /** A selection among the values that the schema offers, and the one in use. @type {Maker} */
-function offered({ title = "", description, unit = "", examples, enum: values }, value) {
+function offered({ title = "", description, unit = "", examples, enum: values, titles = {} }, value) {
   const all = values ?? [...new Set([...(examples ?? []), value])].sort((a, b) => Number(a) - Number(b));
   let chosen = value ?? all[0];
+  const words = (/** @type {string | number} */ one) =>
+    typeof one === "number" ? unrounded(one) : (titles[one] ?? one);
   const options = all.map((one) => ({
     value: String(one),
-    label: t("source-unit", { value: typeof one === "number" ? unrounded(one) : String(one), unit }).trim(),
+    label: t("source-unit", { value: words(one), unit }).trim(),
   }));
   const onChange = (/** @type {string} */ name) => void (chosen = all.find((one) => String(one) === name) ?? chosen);
   const select = h(Selection, { options, chosen: String(chosen), onChange });

@@ -6,7 +6,7 @@ shirtdev-rate = Datenpakete pro Sekunde
 shirtdev-file = Datei
 shirtdev-key = Schlüssel
 # In “ ” stands a command, which is not translated.
-shirtdev-key-hint = Nur ein Shirt mit Schlüssel darf einen echten Rollstuhl fahren. „bodydrive shirt pair“ auf diesem Rechner erstellt einen.
+shirtdev-key-hint = Über das Netz darf nur ein Shirt mit Schlüssel einen echten Rollstuhl fahren. „bodydrive shirt pair“ auf diesem Rechner erstellt einen.
 # The document that names the shirt's sensors.
 shirtdev-layout = Layout
 shirtdev-layout-hint = Eine JSON-Datei, die die Sensoren benennt. Ohne Datei bleibt das jetzige Layout.
@@ -22,6 +22,16 @@ shirtdev-replay-title = Wiedergabe einer Datei
 shirtdev-replay-about = Früher aufgezeichnete Signale, abgespielt, als kämen sie jetzt.
 shirtdev-replay-in-use = Wiedergabe von { $file }
 shirtdev-replay-loop = Am Ende von vorn beginnen
+shirtdev-serial-title = Ein Shirt am Kabel
+shirtdev-serial-about = Eine Platine, etwa ein Arduino, die ihre Sensoren über USB oder eine andere serielle Schnittstelle sendet.
+shirtdev-serial-in-use = Shirt am Kabel an { $device }
+shirtdev-serial-device = Serielle Schnittstelle
+shirtdev-serial-device-hint = So, wie das System sie nennt. Ein Name unter /dev/serial/by-id/ bleibt gleich, wenn das Kabel neu eingesteckt wird.
+shirtdev-serial-baud = Baudrate
+shirtdev-serial-format = Format
+shirtdev-serial-format-hint = Datenpakete haben eine Prüfsumme; ein beschädigtes wird ausgelassen. In einer Zeile verändert eine verlorene Ziffer eine Zahl.
+shirtdev-serial-format-frames = Datenpakete mit Prüfsumme
+shirtdev-serial-format-lines = Einfache Zeilen mit Zahlen
 shirtdev-udp-title = Ein Shirt über das Netz
 shirtdev-udp-about = Datenpakete, die über UDP auf diesem Rechner ankommen.
 shirtdev-udp-in-use = Shirt über das Netz auf Port { $port }
@@ -71,6 +81,35 @@ shirtdev-recording-rate = { $folder }: in dieser Aufzeichnung steht nicht, mit w
 # The place of a problem, in front of a colon or comma and the problem.
 shirtdev-file-columns = { $file }: seine Spalten ergeben kein Layout
 shirtdev-recording-layout = { $folder }: das Layout des Shirts in dieser Aufzeichnung
+
+# $why is the reason that the system gives.
+shirtdev-serial-failed =
+    { $cause ->
+        [missing] das Shirt an { $device } lässt sich nicht öffnen ({ $why }); stecken Sie sein Kabel ein, oder wählen Sie den Namen, den die Schnittstelle jetzt hat
+        [forbidden] das Shirt an { $device } lässt sich nicht öffnen ({ $why }); erlauben Sie diesem Programm serielle Schnittstellen, auf den meisten Systemen durch die Gruppe dialout für sein Konto
+        [busy] das Shirt an { $device } lässt sich nicht öffnen ({ $why }); beenden Sie das andere Programm, das es verwendet
+       *[other] das Shirt an { $device } lässt sich nicht öffnen ({ $why }); prüfen Sie Kabel und Baudrate
+    }
+shirtdev-serial-closed = Für das Shirt ist keine serielle Schnittstelle geöffnet.
+shirtdev-serial-lost = Das Shirt an { $device } ist nicht mehr da. Stecken Sie sein Kabel wieder ein; die Signale kommen dann von selbst zurück.
+shirtdev-serial-silent = Vom Shirt an { $device } kommt nichts an. Prüfen Sie, ob seine Platine Strom hat und ihr Programm läuft.
+# $trouble is a message shirtdev-serial-foreign or shirtdev-frame-...
+shirtdev-serial-unreadable = Was an { $device } ankommt, ist kein Datenpaket dieses Shirts ({ $trouble }).
+# Stands in brackets, behind what is left out.
+shirtdev-serial-foreign = wählen Sie Format und Baudrate, die das Programm der Platine hat
+# $refused counts what arrived and was no frame of this shirt; $delay are the seconds by which the newest frame came late.
+shirtdev-serial =
+    Shirt an { $device }, { $sensors } Sensoren{ $lost ->
+        [0] {""}
+        [one] , { $lost } Datenpaket verloren
+       *[other] , { $lost } Datenpakete verloren
+    }{ $refused ->
+        [0] {""}
+       *[other] , { $refused }-mal kam anderes an ({ $trouble })
+    }{ $late ->
+        [yes] , { $delay } s verspätet
+       *[no] {""}
+    }.
 
 # $problem is a message device-key-...
 shirtdev-not-opened = das Shirt lässt sich nicht verwenden: { $problem }

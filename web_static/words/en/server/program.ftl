@@ -28,6 +28,7 @@ names-person-taken = There is somebody called '{ $other }' already, and '{ $name
 
 source-shirt-simulator = Simulated shirt
 source-shirt-replay = Recorded signals
+source-shirt-serial = Worn shirt on a cable
 source-shirt-udp = Worn shirt
 source-shirt-unknown = Shirt not recorded
 source-other-shirt = Shirt of the kind '{ $kind }'

@@ -6,7 +6,7 @@ shirtdev-rate = Frames a second
 shirtdev-file = File
 shirtdev-key = Key
 # In “ ” stands a command, which is not translated.
-shirtdev-key-hint = Only a shirt with a key may drive a real chair. “bodydrive shirt pair” on this machine makes one.
+shirtdev-key-hint = Over the network, only a shirt with a key may drive a real chair. “bodydrive shirt pair” on this machine makes one.
 # The document that names the shirt's sensors.
 shirtdev-layout = Layout
 shirtdev-layout-hint = A JSON file that names the sensors. Without one, the layout in use now is kept.
@@ -22,6 +22,16 @@ shirtdev-replay-title = Replay of a file
 shirtdev-replay-about = Signals that were recorded before, played as if they came now.
 shirtdev-replay-in-use = Replay of { $file }
 shirtdev-replay-loop = Begin again at the end
+shirtdev-serial-title = A shirt on a cable
+shirtdev-serial-about = A board, such as an Arduino, that sends its sensors over USB or another serial line.
+shirtdev-serial-in-use = Shirt on the cable at { $device }
+shirtdev-serial-device = Serial line
+shirtdev-serial-device-hint = As the system names it. A name under /dev/serial/by-id/ stays the same when the cable is put in again.
+shirtdev-serial-baud = Baud rate
+shirtdev-serial-format = Format
+shirtdev-serial-format-hint = Frames have a checksum: a damaged one is left out. In a line, a lost digit changes a number.
+shirtdev-serial-format-frames = Frames with a checksum
+shirtdev-serial-format-lines = Plain lines of numbers
 shirtdev-udp-title = A shirt over the network
 shirtdev-udp-about = Frames that arrive by UDP on this machine.
 shirtdev-udp-in-use = Network shirt on port { $port }
@@ -71,6 +81,35 @@ shirtdev-recording-rate = { $folder }: this recording does not say its sample ra
 # The place of a problem, in front of a colon or comma and the problem.
 shirtdev-file-columns = { $file }: its columns make no layout
 shirtdev-recording-layout = { $folder }: the shirt's layout in this recording
+
+# $why is the reason that the system gives.
+shirtdev-serial-failed =
+    { $cause ->
+        [missing] the shirt on { $device } cannot be opened ({ $why }): put its cable in, or choose the name that the line has now
+        [forbidden] the shirt on { $device } cannot be opened ({ $why }): let this program use serial lines, on most systems by adding its account to the group dialout
+        [busy] the shirt on { $device } cannot be opened ({ $why }): end the other program that uses it
+       *[other] the shirt on { $device } cannot be opened ({ $why }): check its cable and its baud rate
+    }
+shirtdev-serial-closed = No serial line is open for the shirt.
+shirtdev-serial-lost = The shirt on { $device } is gone: put its cable in again, and its signals come back by themselves.
+shirtdev-serial-silent = Nothing arrives from the shirt on { $device }: check that its board has power and runs its program.
+# $trouble is a message shirtdev-serial-foreign or shirtdev-frame-...
+shirtdev-serial-unreadable = What arrives on { $device } is no frame of this shirt ({ $trouble }).
+# Stands in brackets, behind what is left out.
+shirtdev-serial-foreign = choose the format and the baud rate of the board's program
+# $refused counts what arrived and was no frame of this shirt; $delay are the seconds by which the newest frame came late.
+shirtdev-serial =
+    Shirt on { $device }, { $sensors } sensors{ $lost ->
+        [0] {""}
+        [one] , { $lost } frame lost
+       *[other] , { $lost } frames lost
+    }{ $refused ->
+        [0] {""}
+       *[other] , { $refused } times something else arrived ({ $trouble })
+    }{ $late ->
+        [yes] , { $delay } s late
+       *[no] {""}
+    }.
 
 # $problem is a message device-key-...
 shirtdev-not-opened = the shirt is not opened: { $problem }

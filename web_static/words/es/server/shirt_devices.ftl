@@ -6,7 +6,7 @@ shirtdev-rate = Muestras por segundo
 shirtdev-file = Archivo
 shirtdev-key = Clave
 # In “ ” stands a command, which is not translated.
-shirtdev-key-hint = Solo una camiseta con clave puede conducir una silla real. El comando “bodydrive shirt pair”, en este equipo, crea una.
+shirtdev-key-hint = Por la red, solo una camiseta con clave puede conducir una silla real. El comando “bodydrive shirt pair”, en este equipo, crea una.
 # The document that names the shirt's sensors.
 shirtdev-layout = Disposición
 shirtdev-layout-hint = Un archivo JSON que nombra los sensores. Sin él, se conserva la disposición que está en uso.
@@ -22,6 +22,16 @@ shirtdev-replay-title = Reproducción de un archivo
 shirtdev-replay-about = Señales grabadas antes, que se reproducen como si llegaran ahora.
 shirtdev-replay-in-use = Reproducción de { $file }
 shirtdev-replay-loop = Empezar de nuevo al final
+shirtdev-serial-title = Una camiseta con cable
+shirtdev-serial-about = Una placa, como un Arduino, que envía sus sensores por USB o por otra línea serie.
+shirtdev-serial-in-use = Camiseta con cable en { $device }
+shirtdev-serial-device = Línea serie
+shirtdev-serial-device-hint = Como la llama el sistema. Un nombre de /dev/serial/by-id/ no cambia al volver a conectar el cable.
+shirtdev-serial-baud = Baudios
+shirtdev-serial-format = Formato
+shirtdev-serial-format-hint = Las muestras llevan una suma de comprobación: la que llega dañada se descarta. En una línea, una cifra perdida cambia un número.
+shirtdev-serial-format-frames = Muestras con suma de comprobación
+shirtdev-serial-format-lines = Líneas sencillas de números
 shirtdev-udp-title = Una camiseta por la red
 shirtdev-udp-about = Muestras que llegan a este equipo por UDP.
 shirtdev-udp-in-use = Camiseta por la red en el puerto { $port }
@@ -67,6 +77,35 @@ shirtdev-recording-rate = { $folder }: esta grabación no indica su frecuencia d
 # The place of a problem, in front of a colon or comma and the problem.
 shirtdev-file-columns = { $file }: sus columnas no forman una disposición
 shirtdev-recording-layout = { $folder }: la disposición de la camiseta en esta grabación
+
+# $why is the reason that the system gives.
+shirtdev-serial-failed =
+    { $cause ->
+        [missing] no se puede abrir la camiseta en { $device } ({ $why }): conecte su cable o elija el nombre que la línea tiene ahora
+        [forbidden] no se puede abrir la camiseta en { $device } ({ $why }): permita a este programa usar líneas serie, en la mayoría de los sistemas añadiendo su cuenta al grupo dialout
+        [busy] no se puede abrir la camiseta en { $device } ({ $why }): cierre el otro programa que la usa
+       *[other] no se puede abrir la camiseta en { $device } ({ $why }): compruebe el cable y los baudios
+    }
+shirtdev-serial-closed = No hay ninguna línea serie abierta para la camiseta.
+shirtdev-serial-lost = La camiseta en { $device } ya no está: vuelva a conectar su cable y sus señales regresarán solas.
+shirtdev-serial-silent = No llega nada de la camiseta en { $device }: compruebe que su placa tiene corriente y ejecuta su programa.
+# $trouble is a message shirtdev-serial-foreign or shirtdev-frame-...
+shirtdev-serial-unreadable = Lo que llega a { $device } no es una muestra de esta camiseta ({ $trouble }).
+# Stands in brackets, behind what is left out.
+shirtdev-serial-foreign = elija el formato y los baudios del programa de la placa
+# $refused counts what arrived and was no frame of this shirt; $delay are the seconds by which the newest frame came late.
+shirtdev-serial =
+    Camiseta en { $device }, { $sensors } sensores{ $lost ->
+        [0] {""}
+        [one] , { $lost } muestra perdida
+       *[other] , { $lost } muestras perdidas
+    }{ $refused ->
+        [0] {""}
+       *[other] , { $refused } veces llegó otra cosa ({ $trouble })
+    }{ $late ->
+        [yes] , { $delay } s de retraso
+       *[no] {""}
+    }.
 
 # $problem is a message device-key-...
 shirtdev-not-opened = no se abre la camiseta: { $problem }
