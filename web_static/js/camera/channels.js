@@ -5,10 +5,7 @@
  * Lengths are in widths of the shoulders and measured along the trunk, so that the place and the distance of the camera
  * matter little; angles are in rad. A channel is NaN while a landmark that it needs is not visible.
  *
- * @typedef {{x: number, y: number, z: number, visibility?: number}} Landmark one of MediaPipe's 33
- * @typedef {object} Pose
- * @property {readonly Landmark[]} picture x and y as shares of the width and height of the picture, z of its width, less is nearer
- * @property {readonly Landmark[]} world m from the middle of the hips: to the right of the picture, down, away from the camera
+ * @import { Landmark, Pose } from "types/pose"
  * @typedef {readonly [number, number, number]} Vector to the right of the picture, up, towards the camera
  * @typedef {"left" | "right"} Side
  */

@@ -123,7 +123,7 @@ function screenState({ screens }) {
 
 /** Who moves, the way to another task, the start of the trial or what it lacks. @param {{store: TaskStore}} foot */
 function Foot({ store }) {
-  const { choice, equipment, obstacle, mayDrive } = store;
+  const { app, choice, equipment, obstacle, mayDrive } = store;
   /** @type {HTMLElement | null} */
   let main = null;
   const setMain = (/** @type {HTMLElement | null} */ element) => void (main = element);
@@ -145,6 +145,10 @@ function Foot({ store }) {
         !obstacle.value &&
         shirt?.kind === "simulator" &&
         h("a", { class: "btn bare small", href: "#/shirt" }, t("drive-body-change")),
+      app.me?.demo &&
+        mayDrive &&
+        shirt?.kind === "simulator" &&
+        h("button", { type: "button", class: "btn bare small", onClick: () => useCamera(app) }, t("drive-camera")),
     ),
     h("a", { class: "btn", href: taskLink("tasks", choice.value.task) }, t("drive-choose")),
     mayDrive && way && h("a", { class: "btn go large", href: way.href, ref: setMain }, way.go),
@@ -156,6 +160,15 @@ function Foot({ store }) {
         t(store.has3d ? "drive-start" : "drive-start-plan"),
       ),
   );
+}
+
+/** Take the camera of this device as the shirt, and show it. @param {App} app */
+async function useCamera(app) {
+  await app.toasts.attempt(async () => {
+    await app.api.put("/equipment/shirt", { kind: "camera" });
+    (await import("../../camera/camera.js")).startCamera();
+    app.go("#/shirt");
+  });
 }
 
 const isFocusInFoot = () => Boolean(document.activeElement?.closest(".foot"));
