@@ -1,4 +1,4 @@
-"""The files of the pages: read once (large ones apart), compressed, kept by a browser under an address that names version and language.
+"""The files of the pages: read once, compressed, kept by a browser under an address that names version and language.
 
 The pages of the folder docs/ stand under /docs/, where the "?" of a page leads.
 """
@@ -153,7 +153,7 @@ class Pages:
             raise HTTPException(405)
         address = _address(scope["path"])
         if address.name in self._large:
-            await self._send_large(address)(scope, receive, send)
+            await self._large_file(address)(scope, receive, send)
             return
         language = address.language if address.language in self._of_language else current_language()
         files = self._files(address.name, language)
@@ -181,7 +181,7 @@ class Pages:
         """Return a file as it is sent."""
         return self._files(name, language).text(name)
 
-    def _send_large(self, address: "Address") -> FileResponse:
+    def _large_file(self, address: "Address") -> FileResponse:
         """Return the answer with a file of `LARGE`, which changes only together with the scripts that load it."""
         file = self._large[address.name]
         headers = {"Cache-Control": FOR_EVER if address.version == self.version else ASK_AGAIN}

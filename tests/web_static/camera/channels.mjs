@@ -22,7 +22,7 @@ const turn = (v, [from, to], degrees) => {
 const [TO_LEFT, UP, AHEAD] = [0, 1, 2]; // of the person, who looks into the camera: to the right of the picture, up, towards it
 
 // A person in m, hips in the middle of the world; each arm is [bend, lift, forward or sideways].
-function person({ side = 0, forward = 0, yaw = 0, pitch = 0, roll = 0, arms = [], shrug = [0, 0], reach = [0, 0] } = {}) {
+function person({ side = 0, forward = 0, yaw = 0, pitch = 0, roll = 0, arms = [], shrug = [0, 0], reach = [0, 0] }) {
   const lean = (v) => turn(turn(v, [UP, AHEAD], forward), [UP, TO_LEFT], side);
   const points = Array.from({ length: 33 }, () => [0, 0, 0]);
   const neck = [0, 0.5, 0];
@@ -71,7 +71,7 @@ for (const degrees of [0, 20, 60, 90, 140]) {
   isNear(left_elbow_lift, 30 * RADIANS, "left lift, to the front");
   isNear(right_elbow_lift, 80 * RADIANS, "right lift, to the side");
 }
-const LEVEL = read(person());
+const LEVEL = read(person({}));
 for (const degrees of [-40, -10, 15, 50]) {
   isNear(read(person({ yaw: degrees })).head_yaw, degrees * RADIANS, "yaw");
   isNear(read(person({ roll: -degrees })).head_roll, -degrees * RADIANS, "roll");
@@ -121,7 +121,10 @@ for (let i = 0; i < 200; i++) {
 
 // What is not visible is missing, with all that is measured by it, and nothing else.
 const missing = (hidden) =>
-  CHANNELS.filter((name) => Number.isNaN(read(person(), { visibility: (i) => (hidden.includes(i) ? 0.49 : 0.5) })[name]));
+  CHANNELS.filter((name) => {
+    const visibility = (i) => (hidden.includes(i) ? 0.49 : 0.5);
+    return Number.isNaN(read(person({}), { visibility })[name]);
+  });
 assert.deepEqual(missing([]), []);
 assert.deepEqual(missing([WRISTS[0]]), ["left_elbow_bend", "left_wrist_height", "left_wrist_forward"]);
 assert.deepEqual(missing([ELBOWS[1]]), ["right_elbow_bend", "right_elbow_lift"]);
@@ -132,7 +135,7 @@ assert.deepEqual(
 );
 assert.deepEqual(missing([SHOULDERS[1]]), CHANNELS);
 assert.ok(channelsOf(null, ASPECT).every(Number.isNaN));
-const nowhere = person().map(() => [0, 0, 0]);
+const nowhere = person({}).map(() => [0, 0, 0]);
 assert.ok(Object.entries(read(nowhere)).every(([name, value]) => Number.isNaN(value) || /head|trunk/.test(name)));
 assert.ok(channelsOf({ picture: [], world: [] }, ASPECT).every(Number.isNaN), "a pose without landmarks");
 

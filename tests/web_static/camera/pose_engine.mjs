@@ -62,10 +62,8 @@ const poseIn = (scope) =>
       if (!this.canvas) await this.initialize();
       if (scope.fails) throw new Error("the engine broke");
       scope.made = new Picture(); // the picture as the graph saw it, which must not be kept
-      const isEmpty = !(image instanceof Picture);
-      this.listener(
-        isEmpty ? { image: scope.made } : { image: scope.made, poseLandmarks: LANDMARKS, poseWorldLandmarks: LANDMARKS },
-      );
+      const seen = image instanceof Picture ? { poseLandmarks: LANDMARKS, poseWorldLandmarks: LANDMARKS } : {};
+      this.listener({ image: scope.made, ...seen });
     }
     async initialize() {
       if (scope.window) {

@@ -44,7 +44,9 @@ export function stopCamera(why = "off") {
   running?.abort();
   running = null;
   status.value = why;
-  [stream.value, pose.value, rate.value, advice.value] = [null, null, 0, "lost"];
+  stream.value = pose.value = null;
+  rate.value = 0;
+  advice.value = "lost";
 }
 
 /** Start the camera of this device, which asks its person for permission. */

@@ -148,7 +148,7 @@ function Foot({ store }) {
       app.me?.demo &&
         mayDrive &&
         shirt?.kind === "simulator" &&
-        h("button", { type: "button", class: "btn bare small", onClick: () => useCamera(app) }, t("drive-camera")),
+        h("button", { type: "button", class: "btn bare small", onClick: () => moveByCamera(app) }, t("drive-camera")),
     ),
     h("a", { class: "btn", href: taskLink("tasks", choice.value.task) }, t("drive-choose")),
     mayDrive && way && h("a", { class: "btn go large", href: way.href, ref: setMain }, way.go),
@@ -163,7 +163,7 @@ function Foot({ store }) {
 }
 
 /** Take the camera of this device as the shirt, and show it. @param {App} app */
-async function useCamera(app) {
+async function moveByCamera(app) {
   await app.toasts.attempt(async () => {
     await app.api.put("/equipment/shirt", { kind: "camera" });
     (await import("../../camera/camera.js")).startCamera();
