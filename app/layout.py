@@ -18,6 +18,8 @@ USUAL_JOINTS: Final[Mapping[str, tuple[Text, Text]]] = {
     "right_elbow": (Text("joint-right-elbow"), Text("joint-within-right-elbow")),
     "left_wrist": (Text("joint-left-wrist"), Text("joint-within-left-wrist")),
     "right_wrist": (Text("joint-right-wrist"), Text("joint-within-right-wrist")),
+    "head": (Text("joint-head"), Text("joint-within-head")),
+    "trunk": (Text("joint-trunk"), Text("joint-within-trunk")),
 }
 """What people call joints that most shirts have: alone or at the beginning of a sentence, and within one."""
 

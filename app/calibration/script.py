@@ -17,6 +17,7 @@ WAY_BACK = RETURN / MOVE  # duration of the way back over that of the movement, 
 PAUSE = 1.0  # s at rest between repetitions
 
 MOVED_PARTS = {"elbow", "shoulder", "wrist"}  # of the body, left or right, that have an instruction of their own
+MIDDLE_PARTS = {"head": Text("calibration-move-head"), "trunk": Text("calibration-move-trunk")}  # without a side
 
 
 @dataclass(frozen=True, slots=True)
@@ -42,7 +43,7 @@ def movement_instruction(joint: Joint) -> Text:
     side, _, part = joint.name.partition("_")
     if side in {"left", "right"} and part in MOVED_PARTS:
         return Text(f"calibration-move-{part}", side=side)
-    return Text("calibration-move", joint=joint.label)
+    return MIDDLE_PARTS.get(joint.name) or Text("calibration-move", joint=joint.label)
 
 
 def _rest() -> Step:

@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Annotated, Any, Literal
 from pydantic import Field
 
 from app.hardware.addresses import FilePlace, Host, SerialLine
-from app.hardware.shirt import replay, serial_line, simulator, udp
+from app.hardware.shirt import camera, replay, serial_line, simulator, udp
 from app.hardware.shirt.kind import ShirtConfig, ShirtKind
 from app.ports import FREEPIE_PORT, OPENTRACK_PORT, RECEIVER_PORT
 from app.quantities import Count, Document, Port, Title
@@ -16,9 +16,10 @@ from app.speed_limits import Speeds
 
 KINDS: tuple[ShirtKind[Any], ...] = (
     simulator.KIND,
-    replay.KIND,
+    camera.KIND,
     serial_line.KIND,
     udp.KIND,
+    replay.KIND,
 )
 SHIRTS: Mapping[str, ShirtKind[Any]] = {kind.name: kind for kind in KINDS}
 """Every kind of shirt by its name."""

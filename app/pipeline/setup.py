@@ -7,7 +7,18 @@ from app.calibration.vocabulary import DriveParameters
 from app.clock import Clock
 from app.faults import State
 from app.geometry import STANDSTILL, wrap_angle
-from app.hardware.base import ORIGIN, Body, BodyView, Chair, DrivingBody, HeadTracker, LinkedChair, NetworkShirt, Shirt
+from app.hardware.base import (
+    ORIGIN,
+    Body,
+    BodyView,
+    Chair,
+    DrivingBody,
+    HeadTracker,
+    LinkedChair,
+    NetworkShirt,
+    PageShirt,
+    Shirt,
+)
 from app.hardware.chair.packet import DIGEST_BYTES
 from app.hardware.chair.simulator import Dynamics, VirtualChair
 from app.hardware.configs import SHIRTS, BodyConfig, ChairConfig, HeadConfig, RealChairConfig
@@ -155,6 +166,11 @@ class Setup:
     def network_shirt(self) -> NetworkShirt | None:
         """The shirt in use when it is a shirt over the network, else None."""
         return self.shirt if isinstance(self.shirt, NetworkShirt) else None
+
+    @property
+    def page_shirt(self) -> PageShirt | None:
+        """The shirt in use when a page sends its samples, else None."""
+        return self.shirt if isinstance(self.shirt, PageShirt) else None
 
     @property
     def shirt_description(self) -> Text:

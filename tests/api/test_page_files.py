@@ -139,6 +139,49 @@ def test_a_script_of_others_is_served_as_a_file_of_the_pages(tmp_path: Path) -> 
     assert Pages(put(tmp_path, **{"vendor/charts.js": "draw(2)"})).version != pages.version
 
 
+def test_a_large_file_is_sent_as_it_is_and_kept_for_as_long_as_the_scripts_that_load_it(tmp_path: Path) -> None:
+    put(tmp_path)
+    (tmp_path / "vendor").mkdir()
+    (tmp_path / "vendor" / "pose.wasm").write_bytes(bytes(range(256)))
+    pages = Pages(tmp_path)
+    for middleware in ((), (PagesFirst,)):
+        app = Starlette()
+        app.mount("/", pages)
+        for each in middleware:
+            app.add_middleware(each, pages=pages)
+        with TestClient(app) as client:
+            kept = client.get(f"/v-{pages.version}-en/vendor/pose.wasm", headers={"Accept-Encoding": "gzip"})
+            assert (kept.content, kept.headers["content-type"]) == (bytes(range(256)), "application/wasm")
+            assert kept.headers["cache-control"] == "public, max-age=31536000, immutable"
+            assert "content-encoding" not in kept.headers
+            assert client.get("/vendor/pose.wasm").headers["cache-control"] == "no-cache"
+            assert client.get(f"/v-{pages.version}-en/vendor/other.wasm").status_code == 404
+            assert client.post("/vendor/pose.wasm").status_code == 405
+
+
+def test_only_what_reads_a_camera_s_pictures_may_compile_and_it_reaches_no_other_machine() -> None:
+    pages = Pages(static_folder())
+    with browser_of(pages) as client:
+        names = [name for name in shown_files() if name.endswith((".js", ".html"))]
+        policies = {
+            name: policy
+            for name in names
+            if (policy := client.get(f"/v-{pages.version}-en/{name}").headers.get("content-security-policy"))
+        }
+    assert policies.keys() == {"js/camera/pose_engine.js", "camera.html"}
+    (policy,) = set(policies.values())
+    rules = dict(rule.split(" ", 1) for rule in policy.split("; "))
+    assert rules["script-src"] == "'self' 'wasm-unsafe-eval'"
+    assert (rules["default-src"], rules["connect-src"], rules["form-action"]) == ("'none'", "'self'", "'none'")
+
+
+def shown_files() -> list[str]:
+    """Return the names of all files of the pages but those of others."""
+    folder = static_folder()
+    files = (file.relative_to(folder).as_posix() for file in folder.rglob("*") if file.is_file())
+    return [name for name in files if not name.startswith(("vendor/", "words/"))]
+
+
 def test_every_module_that_a_page_imports_is_preloaded_and_there() -> None:
     with browser_of(Pages(static_folder())) as client:
         for entry in ("index", "patient", "stereo"):

@@ -4,6 +4,9 @@ import pytest
 from web_static.messages import LANGUAGES
 
 SCRIPTS = {
+    "camera/camera": "a page is the camera from its start to its end, and sends nothing but samples",
+    "camera/placement": "who sits before a camera is told to move back, or that there is too little light",
+    "camera/pose_engine": "the engine that reads a camera's pictures runs in a worker and in a frame",
     "charts/curve_marks": "sessions and versions of the map stand where they belong along a learning curve",
     "charts/extent": "few values fill the axis of a chart",
     "cue_motion": "where reduced motion is preferred, the cue changes in steps and does not glide",

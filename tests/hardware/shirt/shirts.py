@@ -4,9 +4,11 @@ import socket
 
 import numpy as np
 from fake_clock import FakeClock
+from hardware.shirt.camera_page import CameraPage
 from hardware.shirt.wired_board import WiredBoard
 
 from app.clock import MonotonicClock
+from app.hardware.shirt.camera import CameraConfig, CameraShirt
 from app.hardware.shirt.packet import encode
 from app.hardware.shirt.replay import ReplayConfig, ReplayedShirt
 from app.hardware.shirt.serial_line import SerialConfig, SerialShirt
@@ -37,6 +39,8 @@ def write_signals(file, count=200, channels=3, rate=RATE):
 class SimulatedCase:
     """The simulated shirt on a fake clock."""
 
+    rate = RATE
+
     def __init__(self, _tmp_path):
         self.clock = FakeClock(50.0)
         self.shirt = SimulatedShirt(SimulatorConfig(kind="simulator", layout=small_layout()), self.clock)
@@ -59,6 +63,8 @@ class ReplayedCase(SimulatedCase):
 
 class UdpCase:
     """The shirt over UDP, and a device that sends to it."""
+
+    rate = RATE
 
     def __init__(self, _tmp_path):
         self.clock = MonotonicClock()
@@ -110,4 +116,24 @@ class LinesCase(FramesCase):
     format = "lines"
 
 
-SHIRTS = (SimulatedCase, ReplayedCase, UdpCase, FramesCase, LinesCase)
+class CameraCase:
+    """The camera on a fake clock, and a page that sends what it sees."""
+
+    rate = 30.0
+
+    def __init__(self, _tmp_path):
+        self.clock = FakeClock(50.0)
+        self.shirt = CameraShirt(CameraConfig(kind="camera"), self.clock)
+        self.page = CameraPage(self.shirt, self.clock)
+
+    def let_come(self, count):
+        for i in range(count):
+            self.clock.time += 1 / self.rate if i else 0.0
+            self.page.send()
+        self.clock.time += 1e-6
+
+    def end(self):
+        """Do nothing: no other resource is held."""
+
+
+SHIRTS = (SimulatedCase, CameraCase, FramesCase, LinesCase, UdpCase, ReplayedCase)

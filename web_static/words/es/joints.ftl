@@ -6,11 +6,27 @@ joint-right-elbow = Codo derecho
 joint-left-elbow = Codo izquierdo
 joint-right-wrist = Muñeca derecha
 joint-left-wrist = Muñeca izquierda
+joint-head = Cabeza
+joint-trunk = Tronco
 joint-within-right-shoulder = hombro derecho
 joint-within-left-shoulder = hombro izquierdo
 joint-within-right-elbow = codo derecho
 joint-within-left-elbow = codo izquierdo
 joint-within-right-wrist = muñeca derecha
 joint-within-left-wrist = muñeca izquierda
+joint-within-head = cabeza
+joint-within-trunk = tronco
 # A sensor: "Right elbow 3".
 joint-sensor = { $joint } { $number }
+# What a channel of a camera measures of a joint: "Left shoulder: raised".
+joint-channel = { $joint }: { $what }
+channel-elevation = elevación
+channel-forward = hacia delante
+channel-out = hacia fuera
+channel-bend = flexión
+channel-lift = elevación del brazo
+channel-height = altura
+channel-yaw = giro
+channel-pitch = inclinación adelante
+channel-roll = inclinación lateral
+channel-side = hacia un lado

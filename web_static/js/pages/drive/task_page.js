@@ -123,7 +123,7 @@ function screenState({ screens }) {
 
 /** Who moves, the way to another task, the start of the trial or what it lacks. @param {{store: TaskStore}} foot */
 function Foot({ store }) {
-  const { choice, equipment, obstacle, mayDrive } = store;
+  const { app, choice, equipment, obstacle, mayDrive } = store;
   useFocusWithin(".foot", ".foot .btn.go");
   const { shirt } = equipment.value;
   const way = wayBeforeDriving(shirt, obstacle.value);
@@ -139,6 +139,10 @@ function Foot({ store }) {
         !obstacle.value &&
         shirt?.kind === "simulator" &&
         h("a", { class: "btn bare small", href: "#/shirt" }, t("drive-body-change")),
+      app.me?.demo &&
+        mayDrive &&
+        shirt?.kind === "simulator" &&
+        h("button", { type: "button", class: "btn bare small", onClick: () => moveByCamera(app) }, t("drive-camera")),
     ),
     h("a", { class: "btn", href: taskLink("tasks", choice.value.task) }, t("drive-choose")),
     mayDrive && way && h("a", { class: "btn go large", href: way.href }, way.go),
@@ -150,6 +154,15 @@ function Foot({ store }) {
         t(store.has3d ? "drive-start" : "drive-start-plan"),
       ),
   );
+}
+
+/** Take the camera of this device as the shirt, and show it. @param {App} app */
+async function moveByCamera(app) {
+  await app.toasts.attempt(async () => {
+    await app.api.put("/equipment/shirt", { kind: "camera" });
+    (await import("../../camera/camera.js")).startCamera();
+    app.go("#/shirt");
+  });
 }
 
 /** @param {EquipmentView} equipment */

@@ -4,8 +4,10 @@
  * @import { ShirtKind } from "types/documents"
  * @import { ShirtStore } from "./store.js"
  */
+import { stopCamera } from "../../camera/camera.js";
+import { CameraCard } from "../../camera/camera_card.js";
 import { BodyCard, HeadCard, SourceCard } from "./equipment_cards.js";
-import { drawFoot, drawPage, Fragment, h } from "../../preact.js";
+import { drawFoot, drawPage, Fragment, h, useLayoutEffect } from "../../preact.js";
 import { jointStrips } from "../../charts/joint_strips.js";
 import { jointWithin } from "../../widgets/joint_words.js";
 import { BodyLamps, LampPicture, QUALITIES } from "./lamps.js";
@@ -88,6 +90,10 @@ function Cards({ store }) {
   const { channels, joints } = store.equipment.value.layout ?? NO_LAYOUT;
   const index = channels.findIndex(({ name }) => name === store.picked.value);
   const { name = "", joint = "" } = channels[index] ?? {};
+  const kind = store.equipment.value.shirt?.kind;
+  useLayoutEffect(() => {
+    if (kind !== "camera") stopCamera();
+  }, [kind]);
   return h(
     "div",
     { class: "stack" },
@@ -99,8 +105,9 @@ function Cards({ store }) {
         index,
         joint: jointWithin(joints.find((one) => one.name === joint) ?? { name: joint, label: joint }),
       }),
+    kind === "camera" && h(CameraCard, { key: "camera" }),
     h(SourceCard, { key: "source", store }),
-    store.equipment.value.shirt?.kind === "simulator" && h(BodyCard, { key: "body", store }),
+    kind === "simulator" && h(BodyCard, { key: "body", store }),
     h(HeadCard, { key: "head", store }),
     h(store.ReplacedList, { key: "replaced" }),
   );

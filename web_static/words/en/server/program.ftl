@@ -30,6 +30,7 @@ source-shirt-simulator = Simulated shirt
 source-shirt-replay = Recorded signals
 source-shirt-serial = Worn shirt on a cable
 source-shirt-udp = Worn shirt
+source-shirt-camera = Camera
 source-shirt-unknown = Shirt not recorded
 source-other-shirt = Shirt of the kind '{ $kind }'
 source-body-person = simulated person
