@@ -1095,7 +1095,7 @@ export interface paths {
             };
             requestBody: {
                 content: {
-                    "application/json": components["schemas"]["SimulatorConfig"] | components["schemas"]["ReplayConfig"] | components["schemas"]["UdpConfig"];
+                    "application/json": components["schemas"]["SimulatorConfig"] | components["schemas"]["ReplayConfig"] | components["schemas"]["UdpConfig"] | components["schemas"]["SlimeVrConfig"];
                 };
             };
             responses: {
@@ -7620,6 +7620,55 @@ export interface components {
             joint: string;
             is_right: boolean;
         };
+        SlimeVrConfig: {
+            /**
+             * @description discriminator enum property added by openapi-typescript
+             * @enum {string}
+             */
+            kind: "slimevr";
+            /** @default 0.0.0.0 */
+            host?: string;
+            /** @default 6969 */
+            port?: number;
+            /** @default 50 */
+            sample_rate?: number;
+            /** @default false */
+            from_neighbour?: boolean;
+            /** Format: tracker */
+            trunk?: string | null;
+            /** Format: tracker */
+            chair?: string | null;
+            /** Format: tracker */
+            head?: string | null;
+            /** Format: tracker */
+            left_upper_arm?: string | null;
+            /** Format: tracker */
+            right_upper_arm?: string | null;
+            /** Format: tracker */
+            left_forearm?: string | null;
+            /** Format: tracker */
+            right_forearm?: string | null;
+            /** Format: tracker */
+            left_hand?: string | null;
+            /** Format: tracker */
+            right_hand?: string | null;
+            /** Format: tracker */
+            left_fingers?: string | null;
+            /** Format: tracker */
+            right_fingers?: string | null;
+            /** Format: tracker */
+            left_thigh?: string | null;
+            /** Format: tracker */
+            right_thigh?: string | null;
+            /** Format: tracker */
+            left_lower_leg?: string | null;
+            /** Format: tracker */
+            right_lower_leg?: string | null;
+            /** Format: tracker */
+            left_foot?: string | null;
+            /** Format: tracker */
+            right_foot?: string | null;
+        };
         SourceView: {
             shirt: string;
             body: string | null;
@@ -7672,6 +7721,7 @@ export interface components {
             alive: boolean;
             sample_rate: number;
             lost: number;
+            found: string[];
             realtime: string[];
             control: string;
         };
@@ -8235,6 +8285,7 @@ export type SignOffView = components['schemas']['SignOffView'];
 export type SimulatedHeadConfig = components['schemas']['SimulatedHeadConfig'];
 export type SimulatorConfig = components['schemas']['SimulatorConfig'];
 export type SittingChoice = components['schemas']['SittingChoice'];
+export type SlimeVrConfig = components['schemas']['SlimeVrConfig'];
 export type SourceView = components['schemas']['SourceView'];
 export type Speeds = components['schemas']['Speeds'];
 export type Stage = components['schemas']['Stage'];

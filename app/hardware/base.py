@@ -152,6 +152,16 @@ class NetworkShirt(Protocol):
         ...
 
 
+@runtime_checkable
+class SearchingShirt(Protocol):
+    """A shirt that finds sensors by itself; a person then says where on the body they are."""
+
+    @property
+    def found(self) -> list[str]:
+        """The names of the sensors that send and are on no part of the body."""
+        ...
+
+
 class HeadTracker(Protocol):
     """A source of head poses. Only the newest pose counts: none is queued, and reading never waits."""
 

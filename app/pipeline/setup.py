@@ -7,7 +7,18 @@ from app.calibration.vocabulary import DriveParameters
 from app.clock import Clock
 from app.faults import State
 from app.geometry import STANDSTILL, wrap_angle
-from app.hardware.base import ORIGIN, Body, BodyView, Chair, DrivingBody, HeadTracker, LinkedChair, NetworkShirt, Shirt
+from app.hardware.base import (
+    ORIGIN,
+    Body,
+    BodyView,
+    Chair,
+    DrivingBody,
+    HeadTracker,
+    LinkedChair,
+    NetworkShirt,
+    SearchingShirt,
+    Shirt,
+)
 from app.hardware.chair.packet import DIGEST_BYTES
 from app.hardware.chair.simulator import Dynamics, VirtualChair
 from app.hardware.configs import SHIRTS, BodyConfig, ChairConfig, HeadConfig, RealChairConfig
@@ -155,6 +166,11 @@ class Setup:
     def network_shirt(self) -> NetworkShirt | None:
         """The shirt in use when it is a shirt over the network, else None."""
         return self.shirt if isinstance(self.shirt, NetworkShirt) else None
+
+    @property
+    def found_sensors(self) -> list[str]:
+        """The names of the sensors that the shirt has found, and that nobody has placed on the body."""
+        return self.shirt.found if isinstance(self.shirt, SearchingShirt) else []
 
     @property
     def shirt_description(self) -> Text:

@@ -28,6 +28,33 @@ shirtdev-udp-in-use = Shirt über das Netz auf Port { $port }
 # An address of this machine.
 shirtdev-udp-host = Empfangen auf
 shirtdev-udp-port = Port
+# Trackers: small sensors of orientation, each worn on one part of the body. SlimeVR and owoTrack are names.
+shirtdev-slimevr-title = Tracker (SlimeVR)
+shirtdev-slimevr-about = Kleine Lagesensoren an Körperteilen, über das Funknetz; auch Telefone mit owoTrack.
+shirtdev-slimevr-in-use = Tracker auf Port { $port }
+shirtdev-slimevr-host-hint = 0.0.0.0 steht für alle Netze dieses Rechners: Dort suchen ihn die Tracker.
+shirtdev-slimevr-sensor-hint = Tracker, die senden, stehen mit ihren Adressen zur Wahl; /1 ist der zweite Sensor eines Trackers, /flex ein Dehnungssensor. Arme und Beine werden vom Rumpf aus gemessen.
+shirtdev-slimevr-chair-hint = Ohne Tracker am Rumpf werden die anderen von diesem aus gemessen.
+# A limb: an arm or a leg. Its neighbour is the next part towards the trunk, such as the upper arm for the forearm.
+shirtdev-from-neighbour = Jedes Körperteil von seinem Nachbarn aus messen
+# Parts of the body that wear a tracker: the label of a field, and in lists.
+shirtdev-part-trunk = Rumpf
+shirtdev-part-chair = Rollstuhl
+shirtdev-part-head = Kopf
+shirtdev-part-left-upper-arm = Linker Oberarm
+shirtdev-part-right-upper-arm = Rechter Oberarm
+shirtdev-part-left-forearm = Linker Unterarm
+shirtdev-part-right-forearm = Rechter Unterarm
+shirtdev-part-left-hand = Linke Hand
+shirtdev-part-right-hand = Rechte Hand
+shirtdev-part-left-fingers = Linke Finger
+shirtdev-part-right-fingers = Rechte Finger
+shirtdev-part-left-thigh = Linker Oberschenkel
+shirtdev-part-right-thigh = Rechter Oberschenkel
+shirtdev-part-left-lower-leg = Linker Unterschenkel
+shirtdev-part-right-lower-leg = Rechter Unterschenkel
+shirtdev-part-left-foot = Linker Fuß
+shirtdev-part-right-foot = Rechter Fuß
 
 ## Why a shirt may not drive a real chair.
 
@@ -135,6 +162,26 @@ shirtdev-udp =
 
 # So that no old frame drives, the number of the newest one is stored in a file.
 shirtdev-newest-unknown = { $file }: nirgends steht, welches Datenpaket dieses Shirts das neueste war, und ein altes darf nicht fahren; koppeln Sie das Shirt neu
+
+# $sensor is the name of a sensor: the address of a tracker, perhaps with a number and flex.
+shirtdev-slimevr-no-name = „{ $given }“ ist keine Adresse eines Trackers; schreiben Sie sie wie A1:B2:C3:D4:E5:F6, mit /1 für einen zweiten Sensor und /flex für einen Dehnungssensor
+shirtdev-slimevr-twice = der Sensor { $sensor } steht bei zwei Körperteilen; lassen Sie eines davon leer
+shirtdev-slimevr-flex-chair = der Sensor { $sensor } misst keine Lage; wählen Sie für den Rollstuhl einen anderen, oder lassen Sie das Feld leer
+shirtdev-slimevr-closed = Der Empfang der Tracker ist aus.
+# $refused counts datagrams (packets of the network) that are none of a tracker.
+shirtdev-slimevr =
+    Tracker auf { $place }: { $sending } von { $placed } senden, { $sensors } Sensoren{ $refused ->
+        [0] {""}
+        [one] , { $refused } Datagramm abgelehnt
+       *[other] , { $refused } Datagramme abgelehnt
+    }.
+# $sensors is a list of addresses.
+shirtdev-slimevr-found = An keinem Körperteil: { $sensors }. Wählen Sie jeden bei dem Körperteil, an dem er sitzt.
+# In the next four, $parts is a list of parts of the body.
+shirtdev-sensors-silent = Sendet nicht: { $parts }. Schalten Sie die Sensoren dort ein, und prüfen Sie ihr Netz.
+shirtdev-sensors-moving = Noch nicht in Ruhe: { $parts }. Eine Sekunde stillhalten, Arme hängen lassen.
+shirtdev-sensors-drift = Driftet um mehr als 2° pro Sekunde: { $parts }. Legen Sie den Sensor eine Minute lang hin, oder kalibrieren Sie ihn, wie sein Hersteller es angibt.
+shirtdev-sensors-battery = Akku fast leer: { $parts }. Laden Sie ihn.
 
 ## Why frames are not used: each stands in brackets, behind what is left out.
 
