@@ -15,6 +15,7 @@ from app.layout import MAX_CHANNELS, MAX_JOINTS
 MAX_GESTURES = MAX_JOINTS
 
 NO_CUE = -1
+LONGEST_SAMPLE = 512  # bytes of what a page that is a sensor sends at once
 ALIVE = 0.5  # s without a frame or a pose after which a device counts as silent, in sentences and in the status
 
 

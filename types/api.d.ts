@@ -1095,7 +1095,7 @@ export interface paths {
             };
             requestBody: {
                 content: {
-                    "application/json": components["schemas"]["SimulatorConfig"] | components["schemas"]["ReplayConfig"] | components["schemas"]["UdpConfig"] | components["schemas"]["SlimeVrConfig"];
+                    "application/json": components["schemas"]["SimulatorConfig"] | components["schemas"]["ReplayConfig"] | components["schemas"]["UdpConfig"] | components["schemas"]["CameraConfig"] | components["schemas"]["SlimeVrConfig"];
                 };
             };
             responses: {
@@ -5690,6 +5690,20 @@ export interface components {
             roll_share?: number | null;
             head?: boolean | null;
         };
+        CameraConfig: {
+            /**
+             * @description discriminator enum property added by openapi-typescript
+             * @enum {string}
+             */
+            kind: "camera";
+            /**
+             * @default 30
+             * @example 10
+             * @example 15
+             * @example 30
+             */
+            sample_rate?: number;
+        };
         ChairMoment: {
             /** @default udp */
             kind: string;
@@ -6991,6 +7005,10 @@ export interface components {
             signed_out: number;
             /** @default 4409 */
             screen_in_use: number;
+            /** @default 4409 */
+            camera_in_use: number;
+            /** @default 4410 */
+            camera_unwanted: number;
             /** @default 10 */
             lock_minutes: number;
             /** @default 2 */
@@ -7154,6 +7172,7 @@ export interface components {
             drives: boolean;
             cue: components["schemas"]["PatientCue"] | null;
             over: components["schemas"]["TrialEnd"] | null;
+            camera: boolean;
             asks: components["schemas"]["ScreenSettings"];
         };
         PatientTrial: {
@@ -8069,6 +8088,7 @@ export type Box = components['schemas']['Box'];
 export type CalibrationProfile = components['schemas']['CalibrationProfile'];
 export type CalibrationView = components['schemas']['CalibrationView'];
 export type CameraChoice = components['schemas']['CameraChoice'];
+export type CameraConfig = components['schemas']['CameraConfig'];
 export type ChairMoment = components['schemas']['ChairMoment'];
 export type ChairStateView = components['schemas']['ChairStateView'];
 export type ChairSummary = components['schemas']['ChairSummary'];

@@ -10,6 +10,7 @@ from app.api.computer.graphics import Graphics
 from app.api.computer.measurement import Measurement
 from app.api.driving.clinic_places import ClinicPlaces
 from app.api.foreign_files import Readings, Uploads
+from app.api.live.camera_socket import ActiveCamera
 from app.api.live.driving_screen import DrivingScreen
 from app.api.live.live_picture import ClinicLive, LivePicture
 from app.api.live.message import LiveMessage
@@ -158,6 +159,7 @@ def _add_pictures(parts: Parts) -> None:
     patient = parts.add(PatientPicture, PatientPicture(picture, equipment, runs, trials))
     patient_live = parts.add(PatientLive, PatientLive(patient.picture))
     parts.add(Graphics, Graphics(live, patient_live))
+    parts.add(ActiveCamera, ActiveCamera())
     screens = parts.add(Screens, Screens())
     pictures = parts.add(ScreenPictures, ScreenPictures(control, trials))
     driving = parts.add(DrivingScreen, DrivingScreen(control, trials, drives, screens, pictures))

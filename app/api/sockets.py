@@ -156,6 +156,11 @@ class OpenSockets:
         person = self._person(websocket)
         return person is not None and person.drives
 
+    def may_be_sensor(self, websocket: WebSocket) -> bool:
+        """Return whether a page may be the patient's sensor: that of a person who drives, or the patient's screen."""
+        opened = self._open.get(websocket)
+        return opened is not None and (isinstance(opened.viewer, PairedScreen) or opened.viewer.drives)
+
     async def acted(self, websocket: WebSocket) -> None:
         """Store that the person at the page of a websocket does something."""
         await asyncio.to_thread(find_sign_in, self._database, websocket, acts=True)

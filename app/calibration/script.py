@@ -17,6 +17,7 @@ WAY_BACK = RETURN / MOVE  # duration of the way back over that of the movement, 
 PAUSE = 1.0  # s at rest between repetitions
 
 MOVED_PARTS = {"elbow", "shoulder", "wrist"}  # of the body, left or right, that have an instruction of their own
+MIDDLE_PARTS = {"head", "trunk"}  # likewise, without a side
 
 
 @dataclass(frozen=True, slots=True)
@@ -42,6 +43,8 @@ def movement_instruction(joint: Joint) -> Text:
     side, _, part = joint.name.partition("_")
     if side in {"left", "right"} and part in MOVED_PARTS:
         return Text(f"calibration-move-{part}", side=side)
+    if joint.name in MIDDLE_PARTS:
+        return Text(f"calibration-move-{joint.name}")
     return Text("calibration-move", joint=joint_title(joint))
 
 

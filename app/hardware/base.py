@@ -162,6 +162,18 @@ class SearchingShirt(Protocol):
         ...
 
 
+@runtime_checkable
+class PageShirt(Protocol):
+    """A shirt whose samples a page sends, by the web process."""
+
+    def add_sample(self, page: int, message: bytes, received: float) -> None:
+        """Take the message of a page that came at `received` (monotonic s); one that is no sample changes nothing.
+
+        `page` is the number of the page that is the sensor now: another number is another page.
+        """
+        ...
+
+
 class HeadTracker(Protocol):
     """A source of head poses. Only the newest pose counts: none is queued, and reading never waits."""
 

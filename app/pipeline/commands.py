@@ -57,6 +57,7 @@ class Commands:
             "heartbeat": Command(command_fields.Heartbeat, self._heartbeat),
             "shirt": Command(command_fields.Device, self._shirt),
             "sender": Command(command_fields.Sender, self._sender),
+            "sample": Command(command_fields.Sample, self._sample),
             "body": Command(command_fields.Device, self._body),
             "move": Command(command_fields.Move, self._move),
             "head": Command(command_fields.HeadDevice, self._head),
@@ -137,6 +138,13 @@ class Commands:
         shirt = self._setup.network_shirt
         if shirt is None or not shirt.use_sender(fields.sender):
             raise CommandRefused(Text("drives-wrong-sender"))
+        return {}
+
+    def _sample(self, fields: command_fields.Sample, _id: int) -> Answer:
+        shirt = self._setup.page_shirt
+        if shirt is None:
+            raise CommandRefused(Text("drives-no-camera"))
+        shirt.add_sample(fields.page, bytes.fromhex(fields.message), fields.received)
         return {}
 
     def _body(self, fields: command_fields.Device, command_id: int) -> None:

@@ -16,6 +16,7 @@ from app.hardware.base import (
     HeadTracker,
     LinkedChair,
     NetworkShirt,
+    PageShirt,
     SearchingShirt,
     Shirt,
 )
@@ -171,6 +172,11 @@ class Setup:
     def found_sensors(self) -> list[str]:
         """The names of the sensors that the shirt has found, and that nobody has placed on the body."""
         return self.shirt.found if isinstance(self.shirt, SearchingShirt) else []
+
+    @property
+    def page_shirt(self) -> PageShirt | None:
+        """The shirt in use when a page sends its samples, else None."""
+        return self.shirt if isinstance(self.shirt, PageShirt) else None
 
     @property
     def shirt_description(self) -> Text:

@@ -212,6 +212,11 @@ class ControlLink:
         if self._thread is not None:
             self._thread.soon(lambda: self._send("look", yaw=yaw, pitch=pitch, roll=roll))
 
+    def add_sample(self, page: int, message: bytes, received: float) -> None:
+        """Pass on what the page that is the shirt's sensor sent; it came at `received` (monotonic s)."""
+        if self._thread is not None:
+            self._thread.soon(lambda: self._send("sample", page=page, message=message.hex(), received=received))
+
     def follow_screen(self, sign: Callable[[], ScreenSign]) -> None:
         """Take the last report of the screen that drives from `sign`, which is called from any thread."""
         self._screen_sign = sign

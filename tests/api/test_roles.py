@@ -113,7 +113,7 @@ def expected(role: str, name: str, needed: int, view: str) -> set[int]:
 def test_no_websocket_opens_for_nobody(clinic: Clinic) -> None:
     sockets = {context.path for context in contexts(clinic.client.app, APIWebSocketRoute)}  # type: ignore[arg-type]
     views = {"/view/{role}", "/view/{role}/", "/view/replay/{word}", "/view/replay/{word}/"}
-    assert sockets == {"/api/v1/live", "/api/v1/screen", "/api/v1/patient/live"} | views
+    assert sockets == {"/api/v1/live", "/api/v1/screen", "/api/v1/camera", "/api/v1/patient/live"} | views
     for path in sockets:
         named = path.replace("{role}", "clinician").replace("{word}", "no-such-word")
         url = f"{BASE.replace('http', 'ws')}{named}"

@@ -7,6 +7,7 @@ from types import SimpleNamespace
 
 import numpy as np
 import pytest
+from hardware.shirt.camera_page import CHANNELS, message_of
 
 from app.calibration.vocabulary import Binding
 from app.disk_room import ROOM_TO_RECORD
@@ -228,6 +229,18 @@ def test_a_head_tracker_is_chosen_asked_and_given_back(control, tmp_path):
     assert "recorded already" in control.refused("head", config={"kind": "tablet"})
     control.done("arm", hash=control.parameters.hash)
     assert "is armed" in control.refused("head", config=None)
+
+
+def test_the_camera_takes_samples_which_any_other_shirt_refuses(control):
+    message = message_of(0, 1.0, 1.02, np.linspace(0.0, 1.0, CHANNELS, dtype=np.float32))
+    sample = {"page": 1, "message": message.hex(), "received": control.clock.now()}
+    assert "The camera is not the shirt in use" in control.refused("sample", **sample)
+    control.done("shirt", config={"kind": "camera"})
+    control.notify("sample", **sample)
+    for wrong in ({"message": "0"}, {"message": "zz"}, {"message": "00" * 513}, {"received": math.inf}, {"page": -1}):
+        assert control.refused("sample", **sample | wrong)
+    frame = control.setup.shirt.read(0.1)
+    np.testing.assert_allclose(frame.values, np.linspace(0.0, 1.0, CHANNELS), atol=1e-6)
 
 
 def network_shirt(control, **more):

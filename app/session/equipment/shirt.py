@@ -87,6 +87,11 @@ class Equipment(ClinicChoice):
         return self.shirt.get("seed") if self.shirt is not None and self.kind == "simulator" else None
 
     @property
+    def is_camera(self) -> bool:
+        """Return whether the chosen shirt is the camera of a page."""
+        return self.kind == "camera"
+
+    @property
     def practice(self) -> str | None:
         """Return the kind of the chosen shirt when nobody wears it: every page then says that this is practice."""
         return self.kind if self.simulated else None

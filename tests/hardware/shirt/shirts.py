@@ -4,9 +4,11 @@ import socket
 
 import numpy as np
 from fake_clock import FakeClock
+from hardware.shirt.camera_page import CameraPage
 from hardware.shirt.slime_tracker import SlimeTracker
 
 from app.clock import MonotonicClock
+from app.hardware.shirt.camera import CameraConfig, CameraShirt
 from app.hardware.shirt.orientation_frames import REST_TIME
 from app.hardware.shirt.packet import encode
 from app.hardware.shirt.replay import ReplayConfig, ReplayedShirt
@@ -38,6 +40,8 @@ def write_signals(file, count=200, channels=3, rate=RATE):
 class SimulatedCase:
     """The simulated shirt on a fake clock."""
 
+    rate = RATE
+
     def __init__(self, _tmp_path):
         self.clock = FakeClock(50.0)
         self.shirt = SimulatedShirt(SimulatorConfig(kind="simulator", layout=small_layout()), self.clock)
@@ -60,6 +64,8 @@ class ReplayedCase(SimulatedCase):
 
 class UdpCase:
     """The shirt over UDP, and a device that sends to it."""
+
+    rate = RATE
 
     def __init__(self, _tmp_path):
         self.clock = MonotonicClock()
@@ -86,6 +92,8 @@ class UdpCase:
 
 class SlimeVrCase:
     """A tracker on the right forearm, at rest, on a fake clock; its datagrams are real."""
+
+    rate = RATE
 
     def __init__(self, _tmp_path):
         self.clock = FakeClock(50.0)
@@ -118,4 +126,24 @@ class SlimeVrCase:
         self.device.close()
 
 
-SHIRTS = (SimulatedCase, ReplayedCase, UdpCase, SlimeVrCase)
+class CameraCase:
+    """The camera on a fake clock, and a page that sends what it sees."""
+
+    rate = 30.0
+
+    def __init__(self, _tmp_path):
+        self.clock = FakeClock(50.0)
+        self.shirt = CameraShirt(CameraConfig(kind="camera"), self.clock)
+        self.page = CameraPage(self.shirt, self.clock)
+
+    def let_come(self, count):
+        for i in range(count):
+            self.clock.time += 1 / self.rate if i else 0.0
+            self.page.send()
+        self.clock.time += 1e-6
+
+    def end(self):
+        """Do nothing: no other resource is held."""
+
+
+SHIRTS = (SimulatedCase, ReplayedCase, UdpCase, CameraCase, SlimeVrCase)

@@ -34,3 +34,15 @@ joint-within-right-ankle = rechtes Sprunggelenk
 joint-within-left-ankle = linkes Sprunggelenk
 # A sensor: "Right elbow 3".
 joint-sensor = { $joint } { $number }
+# What a channel of a camera measures of a joint: "Left shoulder: raised".
+joint-channel = { $joint }: { $what }
+channel-elevation = gehoben
+channel-forward = nach vorn
+channel-out = nach außen
+channel-bend = gebeugt
+channel-lift = Oberarm gehoben
+channel-height = Höhe
+channel-yaw = gedreht
+channel-pitch = genickt
+channel-roll = geneigt
+channel-side = zur Seite

@@ -253,6 +253,7 @@ log-value-kind-visitor = mit Tastfeldern oder Tasten bewegt
 log-value-kind-recorded = aufgezeichnet
 log-value-kind-simulator = simuliert
 log-value-kind-udp = über UDP
+log-value-kind-camera = Kamera
 log-value-kind-replay = Wiedergabe einer Aufzeichnung
 log-value-kind-tablet = Sensor eines Tablets
 log-value-kind-signals = Signale

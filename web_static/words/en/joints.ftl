@@ -34,3 +34,15 @@ joint-within-right-ankle = right ankle
 joint-within-left-ankle = left ankle
 # A sensor: "Right elbow 3".
 joint-sensor = { $joint } { $number }
+# What a channel of a camera measures of a joint: "Left shoulder: raised".
+joint-channel = { $joint }: { $what }
+channel-elevation = raised
+channel-forward = forward
+channel-out = outwards
+channel-bend = bent
+channel-lift = upper arm raised
+channel-height = height
+channel-yaw = turned
+channel-pitch = nodding
+channel-roll = tilted
+channel-side = to the side

@@ -253,6 +253,7 @@ log-value-kind-visitor = moved with pads or keys
 log-value-kind-recorded = recorded
 log-value-kind-simulator = simulated
 log-value-kind-udp = by UDP
+log-value-kind-camera = camera
 log-value-kind-replay = recording played back
 log-value-kind-tablet = a tablet’s own sensor
 log-value-kind-signals = signals

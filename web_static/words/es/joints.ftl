@@ -34,3 +34,15 @@ joint-within-right-ankle = tobillo derecho
 joint-within-left-ankle = tobillo izquierdo
 # A sensor: "Right elbow 3".
 joint-sensor = { $joint } { $number }
+# What a channel of a camera measures of a joint: "Left shoulder: raised".
+joint-channel = { $joint }: { $what }
+channel-elevation = elevación
+channel-forward = hacia delante
+channel-out = hacia fuera
+channel-bend = flexión
+channel-lift = elevación del brazo
+channel-height = altura
+channel-yaw = giro
+channel-pitch = inclinación adelante
+channel-roll = inclinación lateral
+channel-side = hacia un lado

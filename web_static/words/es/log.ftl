@@ -253,6 +253,7 @@ log-value-kind-visitor = movido con teclas o botones
 log-value-kind-recorded = grabado
 log-value-kind-simulator = simulado
 log-value-kind-udp = por UDP
+log-value-kind-camera = cámara
 log-value-kind-replay = grabación reproducida
 log-value-kind-tablet = sensor propio de una tableta
 log-value-kind-signals = señales

@@ -30,6 +30,7 @@ source-shirt-simulator = Simuliertes Shirt
 source-shirt-replay = Aufgezeichnete Signale
 source-shirt-udp = Getragenes Shirt
 source-shirt-slimevr = Getragene Tracker
+source-shirt-camera = Kamera
 source-shirt-unknown = Shirt nicht erfasst
 source-other-shirt = Shirt der Art „{ $kind }“
 source-body-person = simulierte Person

@@ -55,6 +55,10 @@ shirtdev-part-left-lower-leg = Linker Unterschenkel
 shirtdev-part-right-lower-leg = Rechter Unterschenkel
 shirtdev-part-left-foot = Linker Fuß
 shirtdev-part-right-foot = Rechter Fuß
+shirtdev-camera-title = Eine Kamera
+shirtdev-camera-about = Die Kamera eines Tablets, Laptops oder Telefons folgt dem Oberkörper; niemand trägt etwas. Ihr Bild bleibt im Browser. Sie gibt keinen echten Rollstuhl frei.
+shirtdev-camera-in-use = Kamera, { $rate } Datenpakete pro Sekunde
+shirtdev-camera-rate-hint = Wählen Sie weniger, wenn das Gerät nicht mitkommt.
 
 ## Why a shirt may not drive a real chair.
 
@@ -158,6 +162,47 @@ shirtdev-udp =
         [0] {""}
         [one] , { $late } verspätetes Datenpaket ausgelassen
        *[other] , { $late } verspätete Datenpakete ausgelassen
+    }.
+
+shirtdev-camera-closed = Die Kamera wird nicht verwendet.
+# $late and $refused count what is left out; $delay is how late the newest one was.
+shirtdev-camera-silent =
+    Keine Kamera sendet: Starten Sie sie auf der Seite „Shirt“ oder auf dem Patientenbildschirm{ $late ->
+        [0] {""}
+       *[other] {" "}(ihre Bilder kamen { $delay } s zu spät, und ein verspätetes zählt nicht: Schließen Sie andere Programme auf diesem Gerät, oder wählen Sie weniger Datenpakete pro Sekunde)
+    }{ $refused ->
+        [0] {""}
+        [one] , { $refused } Nachricht abgelehnt
+       *[other] , { $refused } Nachrichten abgelehnt
+    }.
+shirtdev-camera-nobody =
+    Die Kamera sieht niemanden, und ihre { $sensors } Sensoren fehlen: Setzen Sie sich so, dass Kopf, Schultern und Arme im Bild sind{ $lost ->
+        [0] {""}
+        [one] , { $lost } Datenpaket verloren
+       *[other] , { $lost } Datenpakete verloren
+    }{ $refused ->
+        [0] {""}
+        [one] , { $refused } Nachricht abgelehnt
+       *[other] , { $refused } Nachrichten abgelehnt
+    }{ $late ->
+        [0] {""}
+        [one] , { $late } verspätetes Bild ausgelassen
+       *[other] , { $late } verspätete Bilder ausgelassen
+    }.
+# $pictures is the measured count a second, $delay the age of the newest picture in ms.
+shirtdev-camera =
+    Kamera, { $sensors } Sensoren, { $pictures } Bilder pro Sekunde, jedes bei der Ankunft { $delay } ms alt{ $lost ->
+        [0] {""}
+        [one] , { $lost } Datenpaket verloren
+       *[other] , { $lost } Datenpakete verloren
+    }{ $refused ->
+        [0] {""}
+        [one] , { $refused } Nachricht abgelehnt
+       *[other] , { $refused } Nachrichten abgelehnt
+    }{ $late ->
+        [0] {""}
+        [one] , { $late } verspätetes Bild ausgelassen
+       *[other] , { $late } verspätete Bilder ausgelassen
     }.
 
 # So that no old frame drives, the number of the newest one is stored in a file.

@@ -30,6 +30,7 @@ source-shirt-simulator = Simulated shirt
 source-shirt-replay = Recorded signals
 source-shirt-udp = Worn shirt
 source-shirt-slimevr = Worn trackers
+source-shirt-camera = Camera
 source-shirt-unknown = Shirt not recorded
 source-other-shirt = Shirt of the kind '{ $kind }'
 source-body-person = simulated person

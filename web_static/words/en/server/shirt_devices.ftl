@@ -55,6 +55,10 @@ shirtdev-part-left-lower-leg = Left lower leg
 shirtdev-part-right-lower-leg = Right lower leg
 shirtdev-part-left-foot = Left foot
 shirtdev-part-right-foot = Right foot
+shirtdev-camera-title = A camera
+shirtdev-camera-about = The camera of a tablet, laptop or phone follows the upper body; nobody wears anything. Its picture stays in the browser. It arms no real chair.
+shirtdev-camera-in-use = Camera, { $rate } frames a second
+shirtdev-camera-rate-hint = Choose fewer where the device does not keep up.
 
 ## Why a shirt may not drive a real chair.
 
@@ -158,6 +162,47 @@ shirtdev-udp =
         [0] {""}
         [one] , { $late } late frame left out
        *[other] , { $late } late frames left out
+    }.
+
+shirtdev-camera-closed = The camera is not in use.
+# $late and $refused count what is left out; $delay is how late the newest one was.
+shirtdev-camera-silent =
+    No camera sends: start it on the Shirt page or on the patient's screen{ $late ->
+        [0] {""}
+       *[other] {" "}(its pictures arrived { $delay } s late, and a late one counts as none: close other programs on that device, or choose fewer frames a second)
+    }{ $refused ->
+        [0] {""}
+        [one] , { $refused } message refused
+       *[other] , { $refused } messages refused
+    }.
+shirtdev-camera-nobody =
+    The camera sees nobody, and its { $sensors } sensors are missing: sit so that head, shoulders and arms are in the picture{ $lost ->
+        [0] {""}
+        [one] , { $lost } frame lost
+       *[other] , { $lost } frames lost
+    }{ $refused ->
+        [0] {""}
+        [one] , { $refused } message refused
+       *[other] , { $refused } messages refused
+    }{ $late ->
+        [0] {""}
+        [one] , { $late } late picture left out
+       *[other] , { $late } late pictures left out
+    }.
+# $pictures is the measured count a second, $delay the age of the newest picture in ms.
+shirtdev-camera =
+    Camera, { $sensors } sensors, { $pictures } pictures a second, each { $delay } ms old when it arrives{ $lost ->
+        [0] {""}
+        [one] , { $lost } frame lost
+       *[other] , { $lost } frames lost
+    }{ $refused ->
+        [0] {""}
+        [one] , { $refused } message refused
+       *[other] , { $refused } messages refused
+    }{ $late ->
+        [0] {""}
+        [one] , { $late } late picture left out
+       *[other] , { $late } late pictures left out
     }.
 
 # So that no old frame drives, the number of the newest one is stored in a file.

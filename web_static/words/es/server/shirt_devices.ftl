@@ -55,6 +55,10 @@ shirtdev-part-left-lower-leg = Pierna izquierda, por debajo de la rodilla
 shirtdev-part-right-lower-leg = Pierna derecha, por debajo de la rodilla
 shirtdev-part-left-foot = Pie izquierdo
 shirtdev-part-right-foot = Pie derecho
+shirtdev-camera-title = Una cámara
+shirtdev-camera-about = La cámara de una tableta, un portátil o un teléfono sigue la parte superior del cuerpo; nadie lleva nada puesto. Su imagen se queda en el navegador. No habilita ninguna silla real.
+shirtdev-camera-in-use = Cámara, { $rate } muestras por segundo
+shirtdev-camera-rate-hint = Elija menos si el dispositivo no llega a tiempo.
 
 ## Why a shirt may not drive a real chair.
 
@@ -154,6 +158,47 @@ shirtdev-udp =
         [0] {""}
         [one] , { $late } muestra tardía descartada
        *[other] , { $late } muestras tardías descartadas
+    }.
+
+shirtdev-camera-closed = La cámara no se usa.
+# $late and $refused count what is left out; $delay is how late the newest one was.
+shirtdev-camera-silent =
+    Ninguna cámara envía nada: iníciela en la página Camiseta o en la pantalla del paciente{ $late ->
+        [0] {""}
+       *[other] {" "}(sus imágenes llegaron con { $delay } s de retraso, y una tardía no cuenta: cierre otros programas en ese dispositivo o elija menos muestras por segundo)
+    }{ $refused ->
+        [0] {""}
+        [one] , { $refused } mensaje rechazado
+       *[other] , { $refused } mensajes rechazados
+    }.
+shirtdev-camera-nobody =
+    La cámara no ve a nadie y faltan sus { $sensors } sensores: siéntese de modo que la cabeza, los hombros y los brazos estén en la imagen{ $lost ->
+        [0] {""}
+        [one] , { $lost } muestra perdida
+       *[other] , { $lost } muestras perdidas
+    }{ $refused ->
+        [0] {""}
+        [one] , { $refused } mensaje rechazado
+       *[other] , { $refused } mensajes rechazados
+    }{ $late ->
+        [0] {""}
+        [one] , { $late } imagen tardía omitida
+       *[other] , { $late } imágenes tardías omitidas
+    }.
+# $pictures is the measured count a second, $delay the age of the newest picture in ms.
+shirtdev-camera =
+    Cámara, { $sensors } sensores, { $pictures } imágenes por segundo, cada una con { $delay } ms al llegar{ $lost ->
+        [0] {""}
+        [one] , { $lost } muestra perdida
+       *[other] , { $lost } muestras perdidas
+    }{ $refused ->
+        [0] {""}
+        [one] , { $refused } mensaje rechazado
+       *[other] , { $refused } mensajes rechazados
+    }{ $late ->
+        [0] {""}
+        [one] , { $late } imagen tardía omitida
+       *[other] , { $late } imágenes tardías omitidas
     }.
 
 # So that no old frame drives, the number of the newest one is stored in a file.
