@@ -17,7 +17,7 @@ WAY_BACK = RETURN / MOVE  # duration of the way back over that of the movement, 
 PAUSE = 1.0  # s at rest between repetitions
 
 MOVED_PARTS = {"elbow", "shoulder", "wrist"}  # of the body, left or right, that have an instruction of their own
-MIDDLE_PARTS = {"head", "trunk"}  # likewise, without a side
+MIDDLE_PARTS = {"head": Text("calibration-move-head"), "trunk": Text("calibration-move-trunk")}  # without a side
 
 
 @dataclass(frozen=True, slots=True)
@@ -44,7 +44,7 @@ def movement_instruction(joint: Joint) -> Text:
     if side in {"left", "right"} and part in MOVED_PARTS:
         return Text(f"calibration-move-{part}", side=side)
     if joint.name in MIDDLE_PARTS:
-        return Text(f"calibration-move-{joint.name}")
+        return MIDDLE_PARTS[joint.name]
     return Text("calibration-move", joint=joint_title(joint))
 
 

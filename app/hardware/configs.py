@@ -9,7 +9,7 @@ from pydantic import Field
 
 from app.hardware.addresses import FilePlace, Host, SerialLine
 from app.hardware.chair.packet import PORT
-from app.hardware.shirt import camera, replay, simulator, slimevr, udp
+from app.hardware.shirt import camera, phones, replay, simulator, slimevr, udp
 from app.hardware.shirt.kind import ShirtConfig, ShirtKind
 from app.quantities import Count, Document, Port, Title
 from app.speed_limits import Speeds
@@ -20,6 +20,7 @@ KINDS: tuple[ShirtKind[Any], ...] = (
     udp.KIND,
     camera.KIND,
     slimevr.KIND,
+    phones.KIND,
 )
 SHIRTS: Mapping[str, ShirtKind[Any]] = {kind.name: kind for kind in KINDS}
 """Every kind of shirt by its name."""

@@ -60,7 +60,9 @@ def test_every_source_of_frames_declares_whether_it_may_arm_a_real_chair():
         "simulator": (Trust.NEVER, True),
         "replay": (Trust.NEVER, True),
         "udp": (Trust.WITH_KEY, False),
+        "camera": (Trust.NEVER, False),
         "slimevr": (Trust.NEVER, False),
+        "phones": (Trust.NEVER, False),
     }
     udp = {"kind": "udp", "layout": small_layout().model_dump(mode="json")}
     for document, why in (
@@ -68,7 +70,9 @@ def test_every_source_of_frames_declares_whether_it_may_arm_a_real_chair():
         ({"kind": "replay", "file": "a"}, NOBODY_WEARS_IT),
         (udp, NO_KEY),
         ({**udp, "key_file": "shirt-1.key"}, None),
+        ({"kind": "camera"}, NOBODY_PROVES_IT),
         ({"kind": "slimevr"}, NOBODY_PROVES_IT),
+        ({"kind": "phones"}, NOBODY_PROVES_IT),
     ):
         assert SHIRTS[document["kind"]].mistrust(parse_shirt(document)) == why
     assert "bodydrive shirt pair" in str(NO_KEY)
@@ -109,7 +113,7 @@ def test_the_documents_of_the_protocol_are_understood():
 @pytest.mark.parametrize(
     ("document", "words"),
     [
-        (None, 'needs a "kind": give one of simulator, replay, udp, slimevr'),
+        (None, 'needs a "kind": give one of simulator, replay, udp'),
         ({}, 'needs a "kind"'),
         ({"kind": "silk"}, "no shirt of the kind 'silk': use one of simulator, replay, udp"),
         ({"kind": "simulator", "sample_rate": float("nan")}, "sample_rate"),

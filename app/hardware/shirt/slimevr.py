@@ -3,43 +3,27 @@
 import re
 import select
 import socket
-from collections.abc import Mapping
 from typing import Annotated, Final, Literal, Self
 
-from pydantic import AfterValidator, Field, model_validator
+from pydantic import model_validator
 
 from app.clock import Clock
 from app.hardware.addresses import Host
-from app.hardware.shirt.body_parts import PARTS, TRUNK, layout_of, part_title
-from app.hardware.shirt.frame_grid import FrameGrid
-from app.hardware.shirt.kind import FieldTexts, ShirtConfig, ShirtKind, ShirtRate, Trust, page_texts
-from app.hardware.shirt.orientation_frames import OrientationFrames
+from app.hardware.shirt.kind import FieldTexts, ShirtKind, Trust, page_texts
+from app.hardware.shirt.placed_sensors import PlacedSensorsConfig, PlacedSensorsShirt
 from app.hardware.shirt.sender_choice import SenderChoice
 from app.hardware.shirt.slimevr_packets import LONGEST, PORT
 from app.hardware.shirt.slimevr_trackers import FLEX_MARK, SlimeTrackers, sensor_name
 from app.hardware.shirt.udp_socket import bound_socket
-from app.messages import SensorFrame
-from app.quantities import Line, Port
-from app.texts import Text, in_sequence
+from app.quantities import Port
+from app.texts import Text
 
 BEAT_EVERY: Final = 1.0  # s: a tracker gives up after 3 s without a packet
 AT_ONCE: Final = 256  # datagrams after which a flood no longer delays a frame
 _NAME: Final = re.compile(r"(?P<mac>[0-9A-F]{2}(:[0-9A-F]{2}){5})(/(?P<sensor>[0-9]{1,3}))?(?P<flex>/FLEX)?")
 
 
-def checked_sensor(text: str) -> str:
-    """Return the name of a tracker's sensor as `sensor_name` writes it; ValueError for any other text."""
-    match = _NAME.fullmatch(text.strip().upper())
-    if match is None or int(match["sensor"] or 0) > 255:
-        raise ValueError(Text("shirtdev-slimevr-no-name", given=text))
-    return sensor_name(match["mac"], int(match["sensor"] or 0), match["flex"] is not None)
-
-
-SensorName = Annotated[Line, Field(min_length=1, max_length=40), AfterValidator(checked_sensor)]
-PlacedSensor = Annotated[SensorName | None, Field(json_schema_extra={"format": "tracker"})]
-
-
-class SlimeVrConfig(ShirtConfig):
+class SlimeVrConfig(PlacedSensorsConfig):
     """Trackers that send their orientation over the network, on parts of the body."""
 
     model_config = page_texts(
@@ -52,40 +36,19 @@ class SlimeVrConfig(ShirtConfig):
     # The address of this machine that the trackers send to. They look for it by broadcast, which comes to 0.0.0.0 only.
     host: Annotated[Host, FieldTexts(Text("shirtdev-udp-host"), Text("shirtdev-slimevr-host-hint"))] = "0.0.0.0"  # noqa: S104
     port: Annotated[Port, FieldTexts(Text("shirtdev-udp-port"))] = PORT  # 0: any free port
-    sample_rate: ShirtRate = 50.0
-    from_neighbour: Annotated[bool, FieldTexts(Text("shirtdev-from-neighbour"))] = False
-    trunk: Annotated[PlacedSensor, FieldTexts(Text("shirtdev-part-trunk"), Text("shirtdev-slimevr-sensor-hint"))] = None
-    chair: Annotated[PlacedSensor, FieldTexts(Text("shirtdev-part-chair"), Text("shirtdev-slimevr-chair-hint"))] = None
-    head: Annotated[PlacedSensor, FieldTexts(Text("shirtdev-part-head"))] = None
-    left_upper_arm: Annotated[PlacedSensor, FieldTexts(Text("shirtdev-part-left-upper-arm"))] = None
-    right_upper_arm: Annotated[PlacedSensor, FieldTexts(Text("shirtdev-part-right-upper-arm"))] = None
-    left_forearm: Annotated[PlacedSensor, FieldTexts(Text("shirtdev-part-left-forearm"))] = None
-    right_forearm: Annotated[PlacedSensor, FieldTexts(Text("shirtdev-part-right-forearm"))] = None
-    left_hand: Annotated[PlacedSensor, FieldTexts(Text("shirtdev-part-left-hand"))] = None
-    right_hand: Annotated[PlacedSensor, FieldTexts(Text("shirtdev-part-right-hand"))] = None
-    left_fingers: Annotated[PlacedSensor, FieldTexts(Text("shirtdev-part-left-fingers"))] = None
-    right_fingers: Annotated[PlacedSensor, FieldTexts(Text("shirtdev-part-right-fingers"))] = None
-    left_thigh: Annotated[PlacedSensor, FieldTexts(Text("shirtdev-part-left-thigh"))] = None
-    right_thigh: Annotated[PlacedSensor, FieldTexts(Text("shirtdev-part-right-thigh"))] = None
-    left_lower_leg: Annotated[PlacedSensor, FieldTexts(Text("shirtdev-part-left-lower-leg"))] = None
-    right_lower_leg: Annotated[PlacedSensor, FieldTexts(Text("shirtdev-part-right-lower-leg"))] = None
-    left_foot: Annotated[PlacedSensor, FieldTexts(Text("shirtdev-part-left-foot"))] = None
-    right_foot: Annotated[PlacedSensor, FieldTexts(Text("shirtdev-part-right-foot"))] = None
 
-    @property
-    def sensors(self) -> Mapping[str, str]:
-        """The names of the sensors by the parts of the body (names of PARTS)."""
-        named: dict[str, str | None] = {part: getattr(self, part) for part in PARTS}
-        return {part: name for part, name in named.items() if name is not None}
+    @classmethod
+    def checked_sensor(cls, name: str) -> str:
+        """Return the name of a tracker's sensor as `sensor_name` writes it; ValueError for any other text."""
+        match = _NAME.fullmatch(name.strip().upper())
+        if match is None or int(match["sensor"] or 0) > 255:
+            raise ValueError(Text("shirtdev-slimevr-no-name", given=name))
+        return sensor_name(match["mac"], int(match["sensor"] or 0), match["flex"] is not None)
 
     @model_validator(mode="after")
-    def _a_sensor_is_on_one_part(self) -> Self:
-        names = list(self.sensors.values())
-        for name in names:
-            if names.count(name) > 1:
-                raise ValueError(Text("shirtdev-slimevr-twice", sensor=name))
-        if is_flex(self.chair or ""):
-            raise ValueError(Text("shirtdev-slimevr-flex-chair", sensor=str(self.chair)))
+    def _the_chair_has_an_orientation(self) -> Self:
+        if self.chair is not None and is_flex(self.chair):
+            raise ValueError(Text("shirtdev-slimevr-flex-chair", sensor=self.chair))
         return self
 
 
@@ -94,38 +57,23 @@ def is_flex(name: str) -> bool:
     return name.endswith(f"/{FLEX_MARK}")
 
 
-class SlimeVrShirt:
+class SlimeVrShirt(PlacedSensorsShirt):
     """Answers trackers that look for a server, and makes frames of what those on the body send.
 
     Bundles of packets, which newer trackers can send, come only to servers that offer to read them; this one does not.
     """
 
     def __init__(self, config: SlimeVrConfig, clock: Clock) -> None:
-        sensors = config.sensors
-        bends = [part for part, name in sensors.items() if is_flex(name)]
-        # Without a sensor on the body there is a shirt all the same, so that the page can offer those that are found.
-        has_signals = any(PARTS[part].joint is not None for part in sensors)
-        self.layout = layout_of("SlimeVR", sensors if has_signals else [TRUNK], bends)
-        self.sample_rate = config.sample_rate
         self.address: tuple[str, int] = (config.host, config.port)  # with the true port once open
-        self._config = config
-        self._bends = bends
-        self._clock = clock
         self._socket: socket.socket | None = None
-        self._begin()
+        bends = [part for part, name in config.sensors.items() if is_flex(name)]
+        super().__init__("SlimeVR", config, bends, clock)
 
     def _begin(self) -> None:
         """Forget everything that was received."""
-        sensors = self._config.sensors
-        self._frames = OrientationFrames(sensors, self._bends, self.sample_rate, self._config.from_neighbour)
-        self._trackers = SlimeTrackers({name: part for part, name in sensors.items()}, self._frames)
-        self._grid = FrameGrid(self._clock, self.sample_rate)
+        super()._begin()
+        self._trackers = SlimeTrackers({name: part for part, name in self._sensors.items()}, self._frames)
         self._beat_t = self._clock.now()
-
-    @property
-    def lost(self) -> int:
-        """Instants of the nominal rate without a sample of any tracker, since the first frame."""
-        return self._grid.lost
 
     @property
     def found(self) -> list[str]:
@@ -158,58 +106,31 @@ class SlimeVrShirt:
         self._socket.setblocking(False)
         self.address = (self.address[0], self._socket.getsockname()[1])
         self._begin()
-
-    def read(self, timeout: float) -> SensorFrame | None:
-        """Return the next frame, waiting for it at most `timeout` (s); junk is counted and ignored."""
-        end = self._clock.now() + timeout
-        if self._socket is None:
-            self._clock.sleep_until(end)
-            return None
-        while True:
-            self._receive_until(min(self._grid.due, end))
-            if self._clock.now() < self._grid.due:
-                return None
-            values = self._frames.frame(self._grid.advance())
-            if values is not None:
-                return self._grid.frame(values)
-            if self._clock.now() >= end:
-                return None
-
-    def pending(self) -> bool:
-        """Return whether the next frame is due already."""
-        return self._socket is not None and self._grid.due <= self._clock.now()
+        self._is_open = True
 
     def description(self) -> Text:
         """Return the shirt's state in words."""
-        if self._socket is None:
+        if not self._is_open:
             return Text("shirtdev-slimevr-closed")
-        now = self._clock.now()
-        placed, silent, found = list(self._config.sensors), self._frames.silent(now), self.found
         host, port = self.address
-        sentences = [
-            Text(
-                "shirtdev-slimevr",
-                place=f"{host}:{port}",
-                sending=len(placed) - len(silent),
-                placed=len(placed),
-                sensors=len(self.layout.channels),
-                refused=self._trackers.junk,
-            )
-        ]
-        for message, parts in (
-            ("shirtdev-sensors-silent", silent),
-            ("shirtdev-sensors-moving", [part for part in self._frames.moving if part not in silent]),
-            ("shirtdev-sensors-drift", self._frames.drifting),
-            ("shirtdev-sensors-battery", self._trackers.low(now)),
-        ):
-            if parts:
-                sentences.append(Text(message, parts=[part_title(part) for part in parts]))
-        if found:
-            sentences.append(Text("shirtdev-slimevr-found", sensors=found))
-        return in_sequence(sentences)
+        trackers = Text(
+            "shirtdev-slimevr",
+            place=f"{host}:{port}",
+            sending=self._count_sending(),
+            placed=len(self._sensors),
+            sensors=len(self.layout.channels),
+            refused=self._trackers.junk,
+        )
+        found = self.found
+        return self._sentences(
+            trackers,
+            low=self._trackers.low(self._clock.now()),
+            found=Text("shirtdev-slimevr-found", sensors=found) if found else None,
+        )
 
     def close(self) -> None:
         """Close the socket; closing twice does no harm."""
+        self._is_open = False
         if self._socket is not None:
             self._socket.close()
             self._socket = None

@@ -5,12 +5,14 @@ import socket
 import numpy as np
 from fake_clock import FakeClock
 from hardware.shirt.camera_page import CameraPage
+from hardware.shirt.phone_page import PhonePage
 from hardware.shirt.slime_tracker import SlimeTracker
 
 from app.clock import MonotonicClock
 from app.hardware.shirt.camera import CameraConfig, CameraShirt
 from app.hardware.shirt.orientation_frames import REST_TIME
 from app.hardware.shirt.packet import encode
+from app.hardware.shirt.phones import PhonesConfig, PhonesShirt
 from app.hardware.shirt.replay import ReplayConfig, ReplayedShirt
 from app.hardware.shirt.simulator import SimulatedShirt, SimulatorConfig
 from app.hardware.shirt.slimevr import SlimeVrConfig, SlimeVrShirt
@@ -146,4 +148,27 @@ class CameraCase:
         """Do nothing: no other resource is held."""
 
 
-SHIRTS = (SimulatedCase, ReplayedCase, UdpCase, CameraCase, SlimeVrCase)
+class PhonesCase:
+    """A phone on the right forearm, at rest, on a fake clock."""
+
+    rate = RATE
+
+    def __init__(self, _tmp_path):
+        self.clock = FakeClock(50.0)
+        self.shirt = PhonesShirt(PhonesConfig(kind="phones", sample_rate=RATE, right_forearm="1"), self.clock)
+        self.page = PhonePage(self.shirt, self.clock)
+
+    def let_come(self, count):
+        self.clock.time += 1e-6
+        for _ in range(round(REST_TIME * RATE) - 1):
+            self.page.send()
+            assert self.shirt.read(0.0) is None
+            self.clock.time += 1 / RATE
+        self.clock.time += (count - 1) / RATE
+        self.page.send()
+
+    def end(self):
+        """Do nothing: no other resource is held."""
+
+
+SHIRTS = (SimulatedCase, ReplayedCase, UdpCase, CameraCase, SlimeVrCase, PhonesCase)

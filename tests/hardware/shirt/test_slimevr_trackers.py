@@ -10,9 +10,9 @@ import pytest
 from fake_clock import FakeClock
 from hardware.shirt.slime_tracker import SlimeTracker
 
-from app.hardware.shirt.frame_grid import FrameGrid
 from app.hardware.shirt.orientation import exponential
 from app.hardware.shirt.orientation_frames import REST_TIME, OrientationFrames
+from app.hardware.shirt.placed_sensors import FrameGrid
 from app.hardware.shirt.slimevr_trackers import MOST_TRACKERS, SlimeTrackers, sensor_name
 
 RATE = 50.0

@@ -31,6 +31,7 @@ source-shirt-replay = Aufgezeichnete Signale
 source-shirt-udp = Getragenes Shirt
 source-shirt-slimevr = Getragene Tracker
 source-shirt-camera = Kamera
+source-shirt-phones = Getragene Telefone
 source-shirt-unknown = Shirt nicht erfasst
 source-other-shirt = Shirt der Art „{ $kind }“
 source-body-person = simulierte Person

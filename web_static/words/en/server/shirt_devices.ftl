@@ -33,8 +33,8 @@ shirtdev-slimevr-title = Trackers (SlimeVR)
 shirtdev-slimevr-about = Small sensors of orientation on parts of the body, over the wireless network; phones with owoTrack, too.
 shirtdev-slimevr-in-use = Trackers on port { $port }
 shirtdev-slimevr-host-hint = 0.0.0.0 is every network of this machine: trackers look for it there.
-shirtdev-slimevr-sensor-hint = Trackers that send are offered by their addresses; /1 is a tracker's second sensor, /flex a strain sensor. Arms and legs are measured from the trunk.
-shirtdev-slimevr-chair-hint = Without a tracker on the trunk, the others are measured from this one.
+shirtdev-trunk-hint = Sensors that send are offered. Arms and legs are measured from this one.
+shirtdev-chair-hint = Without a sensor on the trunk, the others are measured from this one.
 # A limb: an arm or a leg. Its neighbour is the next part towards the trunk, such as the upper arm for the forearm.
 shirtdev-from-neighbour = Measure each part from its neighbour
 # Parts of the body that wear a tracker: the label of a field, and in lists.
@@ -55,6 +55,9 @@ shirtdev-part-left-lower-leg = Left lower leg
 shirtdev-part-right-lower-leg = Right lower leg
 shirtdev-part-left-foot = Left foot
 shirtdev-part-right-foot = Right foot
+shirtdev-phones-title = Phones as sensors
+shirtdev-phones-about = Up to six phones or tablets, tied to parts of the body, show how these turn. Each opens a page and sends; nothing is installed.
+shirtdev-phones-in-use = Phones, { $rate } frames a second
 shirtdev-camera-title = A camera
 shirtdev-camera-about = The camera of a tablet, laptop or phone follows the upper body; nobody wears anything. Its picture stays in the browser. It arms no real chair.
 shirtdev-camera-in-use = Camera, { $rate } frames a second
@@ -210,7 +213,7 @@ shirtdev-newest-unknown = { $file }: nothing says which frame of this shirt was 
 
 # $sensor is the name of a sensor: the address of a tracker, perhaps with a number and flex.
 shirtdev-slimevr-no-name = '{ $given }' is no tracker's address: write it like A1:B2:C3:D4:E5:F6, with /1 for a second sensor and /flex for a strain sensor
-shirtdev-slimevr-twice = the sensor { $sensor } is on two parts of the body: leave one of them empty
+shirtdev-sensor-twice = the sensor { $sensor } is on two parts of the body: leave one of them empty
 shirtdev-slimevr-flex-chair = the sensor { $sensor } has no orientation: choose another one for the chair, or leave that empty
 shirtdev-slimevr-closed = Nothing listens for trackers.
 # $refused counts datagrams (packets of the network) that are none of a tracker.
@@ -222,6 +225,21 @@ shirtdev-slimevr =
     }.
 # $sensors is a list of addresses.
 shirtdev-slimevr-found = On no part of the body: { $sensors }. Choose each beside the part that wears it.
+shirtdev-phones-no-number = '{ $given }' is the number of no phone: write one from 1 to { $most }
+shirtdev-phones-closed = The phones are not in use.
+# $late and $refused count what is left out; $delay is how late the newest one was.
+shirtdev-phones =
+    Phones: { $sending } of { $placed } send, { $sensors } sensors{ $refused ->
+        [0] {""}
+        [one] , { $refused } message refused
+       *[other] , { $refused } messages refused
+    }{ $late ->
+        [0] {""}
+        [one] , { $late } late message left out (the newest took { $delay } s longer than the quickest)
+       *[other] , { $late } late messages left out (the newest took { $delay } s longer than the quickest)
+    }.
+# $phones is a list of numbers.
+shirtdev-phones-found = On no part of the body: phone { $phones }. Choose each beside the part that wears it.
 # In the next four, $parts is a list of parts of the body.
 shirtdev-sensors-silent = Silent: { $parts }. Switch these on, and check their network.
 shirtdev-sensors-moving = Not yet at rest: { $parts }. Stay still for a second, arms down.

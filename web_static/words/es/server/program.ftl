@@ -31,6 +31,7 @@ source-shirt-replay = Señales grabadas
 source-shirt-udp = Camiseta puesta
 source-shirt-slimevr = Rastreadores puestos
 source-shirt-camera = Cámara
+source-shirt-phones = Teléfonos puestos
 source-shirt-unknown = Sin datos de la camiseta
 source-other-shirt = Camiseta del tipo “{ $kind }”
 source-body-person = persona simulada

@@ -33,8 +33,8 @@ shirtdev-slimevr-title = Rastreadores (SlimeVR)
 shirtdev-slimevr-about = Pequeños sensores de orientación en partes del cuerpo, por la red inalámbrica; también teléfonos con owoTrack.
 shirtdev-slimevr-in-use = Rastreadores en el puerto { $port }
 shirtdev-slimevr-host-hint = 0.0.0.0 son todas las redes de este equipo: allí lo buscan los rastreadores.
-shirtdev-slimevr-sensor-hint = Los rastreadores que envían se ofrecen por su dirección; /1 es el segundo sensor de un rastreador y /flex, un sensor de estiramiento. Brazos y piernas se miden desde el tronco.
-shirtdev-slimevr-chair-hint = Sin un rastreador en el tronco, los demás se miden desde este.
+shirtdev-trunk-hint = Se ofrecen los sensores que envían. Brazos y piernas se miden desde este.
+shirtdev-chair-hint = Sin un sensor en el tronco, los demás se miden desde este.
 # A limb: an arm or a leg. Its neighbour is the next part towards the trunk, such as the upper arm for the forearm.
 shirtdev-from-neighbour = Medir cada parte desde su vecina
 # Parts of the body that wear a tracker: the label of a field, and in lists.
@@ -55,6 +55,9 @@ shirtdev-part-left-lower-leg = Pierna izquierda, por debajo de la rodilla
 shirtdev-part-right-lower-leg = Pierna derecha, por debajo de la rodilla
 shirtdev-part-left-foot = Pie izquierdo
 shirtdev-part-right-foot = Pie derecho
+shirtdev-phones-title = Teléfonos como sensores
+shirtdev-phones-about = Hasta seis teléfonos o tabletas, sujetos a partes del cuerpo, muestran cómo giran estas. Cada uno abre una página y envía; no se instala nada.
+shirtdev-phones-in-use = Teléfonos, { $rate } muestras por segundo
 shirtdev-camera-title = Una cámara
 shirtdev-camera-about = La cámara de una tableta, un portátil o un teléfono sigue la parte superior del cuerpo; nadie lleva nada puesto. Su imagen se queda en el navegador. No habilita ninguna silla real.
 shirtdev-camera-in-use = Cámara, { $rate } muestras por segundo
@@ -206,7 +209,7 @@ shirtdev-newest-unknown = { $file }: nada indica cuál fue la muestra más recie
 
 # $sensor is the name of a sensor: the address of a tracker, perhaps with a number and flex.
 shirtdev-slimevr-no-name = “{ $given }” no es la dirección de un rastreador: escríbala como A1:B2:C3:D4:E5:F6, con /1 para un segundo sensor y /flex para un sensor de estiramiento
-shirtdev-slimevr-twice = el sensor { $sensor } está en dos partes del cuerpo: deje vacía una de ellas
+shirtdev-sensor-twice = el sensor { $sensor } está en dos partes del cuerpo: deje vacía una de ellas
 shirtdev-slimevr-flex-chair = el sensor { $sensor } no mide la orientación: elija otro para la silla o deje vacío el campo
 shirtdev-slimevr-closed = No se están escuchando los rastreadores.
 # $refused counts datagrams (packets of the network) that are none of a tracker.
@@ -218,6 +221,21 @@ shirtdev-slimevr =
     }.
 # $sensors is a list of addresses.
 shirtdev-slimevr-found = En ninguna parte del cuerpo: { $sensors }. Elija cada uno junto a la parte que lo lleva.
+shirtdev-phones-no-number = “{ $given }” no es el número de ningún teléfono: escriba uno de 1 a { $most }
+shirtdev-phones-closed = Los teléfonos no se usan.
+# $late and $refused count what is left out; $delay is how late the newest one was.
+shirtdev-phones =
+    Teléfonos: envían { $sending } de { $placed }, { $sensors } sensores{ $refused ->
+        [0] {""}
+        [one] , { $refused } mensaje rechazado
+       *[other] , { $refused } mensajes rechazados
+    }{ $late ->
+        [0] {""}
+        [one] , { $late } mensaje tardío descartado (el último tardó { $delay } s más que el más rápido)
+       *[other] , { $late } mensajes tardíos descartados (el último tardó { $delay } s más que el más rápido)
+    }.
+# $phones is a list of numbers.
+shirtdev-phones-found = En ninguna parte del cuerpo: teléfono { $phones }. Elija cada uno junto a la parte que lo lleva.
 # In the next four, $parts is a list of parts of the body.
 shirtdev-sensors-silent = No envía: { $parts }. Encienda los sensores de ahí y compruebe su red.
 shirtdev-sensors-moving = Aún no en reposo: { $parts }. Quédese quieto un segundo, con los brazos caídos.
