@@ -27,6 +27,7 @@ SHIRTS: Mapping[str, ShirtKind[Any]] = {kind.name: kind for kind in KINDS}
 
 ReceiverPort = Annotated[Port, Field(gt=0)]
 RECEIVER_PORT = PORT
+MOST_PHONES = phones.MOST_PHONES
 
 
 class PersonConfig(Document):

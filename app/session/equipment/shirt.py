@@ -91,6 +91,13 @@ class Equipment(ClinicChoice):
         """Return whether the chosen shirt is the camera of a page."""
         return self.kind == "camera"
 
+    def part_of_sensor(self, name: str) -> Text | None:
+        """Return the part of the body that a sensor of this name is on, None when it is on none."""
+        if self.shirt is None:
+            return None
+        kind = SHIRTS[str(self.shirt["kind"])]
+        return next((kind.title_of(part) for part in kind.fields_of("tracker") if self.shirt.get(part) == name), None)
+
     @property
     def practice(self) -> str | None:
         """Return the kind of the chosen shirt when nobody wears it: every page then says that this is practice."""
