@@ -169,7 +169,7 @@ class PageShirt(Protocol):
     def add_sample(self, page: int, message: bytes, received: float) -> None:
         """Take the message of a page that came at `received` (monotonic s); one that is no sample changes nothing.
 
-        `page` is the number of the page that is the sensor now: another number is another page.
+        `page` is the number of the page that is the sensor now, another number another page; of phones, their number.
         """
         ...
 

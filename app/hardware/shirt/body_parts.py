@@ -1,7 +1,7 @@
 """The parts of the body that wear a sensor of their own: the joint that each moves, its place, its neighbour."""
 
 from collections.abc import Collection, Iterable, Mapping
-from typing import Final, NamedTuple
+from typing import Final, Literal, NamedTuple
 
 from app.layout import Channel, Joint, ShirtLayout
 from app.texts import Text
@@ -84,7 +84,7 @@ def layout_of(name: str, parts: Iterable[str], bends: Collection[str] = ()) -> S
         for number, channel in enumerate(names):
             beside = BESIDE * (number - (len(names) - 1) / 2)
             place = None if position is None else (position[0] + beside, position[1])
-            side = None if position is None else "front"
+            side: Literal["front"] | None = None if position is None else "front"
             channels.append(Channel(name=channel, joint=str(joint), position=place, side=side))
     joints = [str(PARTS[part].joint) for part in worn]
     return ShirtLayout(

@@ -12,6 +12,7 @@ from numpy.typing import NDArray
 
 Rotations = NDArray[np.float64]
 
+_INVERSE: Final = np.array((-1.0, -1.0, -1.0, 1.0))
 # From p to the matrix (4, 4), here in one row, by which p multiplies from the left; its columns are x, y, z, w of q.
 _LEFT: Final = np.array(
     (
@@ -35,7 +36,7 @@ def unit_quaternion(x: float, y: float, z: float, w: float) -> Rotations | None:
 
 def inverse(q: Rotations) -> Rotations:
     """Return the inverse rotations (..., 4)."""
-    return q * (-1.0, -1.0, -1.0, 1.0)
+    return q * _INVERSE
 
 
 def product(p: Rotations, q: Rotations) -> Rotations:

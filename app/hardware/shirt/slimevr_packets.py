@@ -4,6 +4,7 @@ A tracker sends u32 kind, u64 packet number, content. Kinds that are not named h
 """
 
 import math
+from collections.abc import Callable, Mapping
 from struct import Struct
 from typing import Final, NamedTuple
 
@@ -147,7 +148,7 @@ def _sensor(content: bytes) -> TrackerSensor:
     return TrackerSensor(*_SENSOR.unpack_from(content))
 
 
-_READERS: Final = {
+_READERS: Final[Mapping[int, tuple[int, Callable[[bytes], TrackerContent]]]] = {
     HANDSHAKE: (_BUILD.size + _MAC_BYTES, _handshake),
     ROTATION_OF_FIRST: (_QUATERNION.size, _rotation_of_first),
     ROTATION_OF_SECOND: (_QUATERNION.size, _rotation_of_second),

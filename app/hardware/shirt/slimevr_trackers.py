@@ -177,8 +177,8 @@ class SlimeTrackers:
                     self._frames.take_bend(part, value, t)
             case TrackerBattery(share):
                 tracker.battery = share
-            case TrackerSensor() as sensor:
-                return sensor_acknowledgement(sensor)
+            case TrackerSensor() as report:
+                return sensor_acknowledgement(report)
         return None
 
     def _place(self, tracker: _Tracker, name: str) -> str | None:

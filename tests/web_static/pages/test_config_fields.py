@@ -14,7 +14,7 @@ from app.hardware.shirt.kind import LayoutFile, ShirtConfig, ShirtKey, ShirtKind
 from app.hardware.shirt.standard import standard_layout
 from app.hardware.shirt.udp import UdpShirt
 
-NOTHING: dict[str, Any] = {"now": None, "layout": None, "files": [], "keys": []}
+NOTHING: dict[str, Any] = {"now": None, "layout": None, "files": [], "keys": [], "found": []}
 FILES = [
     {"name": "knit.csv", "kind": "signals", "size": 2_000},
     {"name": "body.csv", "kind": "body", "size": 2_000},
@@ -109,3 +109,16 @@ def test_two_sensors_of_the_simulated_shirt_can_be_dead(drawn: Callable[..., Any
     assert page["shown"][-1]["segments"] == ["All work", "Two are dead"]
     assert page["shown"][0]["options"] == ["50 Hz", "100 Hz", "200 Hz", "500 Hz", "1000 Hz"]
     assert page["in_use"] == "Simulated shirt, 100 frames a second"
+
+
+def test_sensors_that_are_found_are_offered_beside_each_part_of_the_body(drawn: Callable[..., Any]) -> None:
+    slimevr, mine, other = SHIRTS["slimevr"], "A1:B2:C3:D4:E5:F6", "00:00:00:00:00:0A/1"
+    now = slimevr.config(kind="slimevr", trunk=mine)
+    around = {"now": now.model_dump(mode="json"), "found": [other]}
+    page = drawn(slimevr, around, **{"Left forearm": other})
+    shown = {field["label"]: field for field in page["shown"]}
+    assert shown["Trunk"]["options"] == ["None", mine, other]
+    assert shown["Left forearm"]["options"] == ["None", other]
+    assert slimevr.config.model_validate(page["before"]) == now
+    assert slimevr.config.model_validate(page["after"]) == now.model_copy(update={"left_forearm": other})
+    assert page["in_use"] == "Trackers on port 6969"
