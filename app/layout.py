@@ -18,8 +18,16 @@ USUAL_JOINTS: Final[Mapping[str, tuple[Text, Text]]] = {
     "right_elbow": (Text("joint-right-elbow"), Text("joint-within-right-elbow")),
     "left_wrist": (Text("joint-left-wrist"), Text("joint-within-left-wrist")),
     "right_wrist": (Text("joint-right-wrist"), Text("joint-within-right-wrist")),
-    "head": (Text("joint-head"), Text("joint-within-head")),
+    "left_fingers": (Text("joint-left-fingers"), Text("joint-within-left-fingers")),
+    "right_fingers": (Text("joint-right-fingers"), Text("joint-within-right-fingers")),
     "trunk": (Text("joint-trunk"), Text("joint-within-trunk")),
+    "head": (Text("joint-head"), Text("joint-within-head")),
+    "left_hip": (Text("joint-left-hip"), Text("joint-within-left-hip")),
+    "right_hip": (Text("joint-right-hip"), Text("joint-within-right-hip")),
+    "left_knee": (Text("joint-left-knee"), Text("joint-within-left-knee")),
+    "right_knee": (Text("joint-right-knee"), Text("joint-within-right-knee")),
+    "left_ankle": (Text("joint-left-ankle"), Text("joint-within-left-ankle")),
+    "right_ankle": (Text("joint-right-ankle"), Text("joint-within-right-ankle")),
 }
 """What people call joints that most shirts have: alone or at the beginning of a sentence, and within one."""
 

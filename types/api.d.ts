@@ -1095,7 +1095,7 @@ export interface paths {
             };
             requestBody: {
                 content: {
-                    "application/json": components["schemas"]["SimulatorConfig"] | components["schemas"]["CameraConfig"] | components["schemas"]["SerialConfig"] | components["schemas"]["UdpConfig"] | components["schemas"]["ReplayConfig"];
+                    "application/json": components["schemas"]["SimulatorConfig"] | components["schemas"]["CameraConfig"] | components["schemas"]["PhonesConfig"] | components["schemas"]["SlimeVrConfig"] | components["schemas"]["SerialConfig"] | components["schemas"]["UdpConfig"] | components["schemas"]["ReplayConfig"];
                 };
             };
             responses: {
@@ -3581,6 +3581,180 @@ export interface paths {
         put?: never;
         post?: never;
         delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
+    "/api/v1/phones": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        get: {
+            parameters: {
+                query?: never;
+                header?: never;
+                path?: never;
+                cookie?: never;
+            };
+            requestBody?: never;
+            responses: {
+                200: {
+                    headers: {
+                        [name: string]: unknown;
+                    };
+                    content: {
+                        "application/json": components["schemas"]["PhonesView"];
+                    };
+                };
+            };
+        };
+        put?: never;
+        post?: never;
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
+    "/api/v1/phones/pairing": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        get?: never;
+        put?: never;
+        post: {
+            parameters: {
+                query?: never;
+                header?: never;
+                path?: never;
+                cookie?: never;
+            };
+            requestBody?: never;
+            responses: {
+                201: {
+                    headers: {
+                        [name: string]: unknown;
+                    };
+                    content: {
+                        "application/json": components["schemas"]["OfferView"];
+                    };
+                };
+            };
+        };
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
+    "/api/v1/phones/pair": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        get?: never;
+        put?: never;
+        post: {
+            parameters: {
+                query?: never;
+                header?: never;
+                path?: never;
+                cookie?: never;
+            };
+            requestBody: {
+                content: {
+                    "application/json": components["schemas"]["Code"];
+                };
+            };
+            responses: {
+                200: {
+                    headers: {
+                        [name: string]: unknown;
+                    };
+                    content: {
+                        "application/json": components["schemas"]["PhoneStateView"];
+                    };
+                };
+            };
+        };
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
+    "/api/v1/phones/me": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        get: {
+            parameters: {
+                query?: never;
+                header?: never;
+                path?: never;
+                cookie?: never;
+            };
+            requestBody?: never;
+            responses: {
+                200: {
+                    headers: {
+                        [name: string]: unknown;
+                    };
+                    content: {
+                        "application/json": components["schemas"]["PhoneStateView"];
+                    };
+                };
+            };
+        };
+        put?: never;
+        post?: never;
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
+    "/api/v1/phones/{number}": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        get?: never;
+        put?: never;
+        post?: never;
+        delete: {
+            parameters: {
+                query?: never;
+                header?: never;
+                path?: never;
+                cookie?: never;
+            };
+            requestBody?: never;
+            responses: {
+                200: {
+                    headers: {
+                        [name: string]: unknown;
+                    };
+                    content: {
+                        "application/json": components["schemas"]["PhonesView"];
+                    };
+                };
+            };
+        };
         options?: never;
         head?: never;
         patch?: never;
@@ -7049,6 +7223,8 @@ export interface components {
             camera_in_use: number;
             /** @default 4410 */
             camera_unwanted: number;
+            /** @default 4409 */
+            phone_elsewhere: number;
             /** @default 10 */
             lock_minutes: number;
             /** @default 2 */
@@ -7260,6 +7436,63 @@ export interface components {
             state: "active" | "invited" | "disabled";
             link_until: string | null;
             is_you: boolean;
+        };
+        PhoneStateView: {
+            number: number | null;
+        };
+        PhoneView: {
+            number: number;
+            paired: string;
+            connected: boolean;
+            part: string | null;
+        };
+        PhonesConfig: {
+            /**
+             * @description discriminator enum property added by openapi-typescript
+             * @enum {string}
+             */
+            kind: "phones";
+            /** @default 50 */
+            sample_rate?: number;
+            /** @default false */
+            from_neighbour?: boolean;
+            /** Format: tracker */
+            trunk?: string | null;
+            /** Format: tracker */
+            chair?: string | null;
+            /** Format: tracker */
+            head?: string | null;
+            /** Format: tracker */
+            left_upper_arm?: string | null;
+            /** Format: tracker */
+            right_upper_arm?: string | null;
+            /** Format: tracker */
+            left_forearm?: string | null;
+            /** Format: tracker */
+            right_forearm?: string | null;
+            /** Format: tracker */
+            left_hand?: string | null;
+            /** Format: tracker */
+            right_hand?: string | null;
+            /** Format: tracker */
+            left_fingers?: string | null;
+            /** Format: tracker */
+            right_fingers?: string | null;
+            /** Format: tracker */
+            left_thigh?: string | null;
+            /** Format: tracker */
+            right_thigh?: string | null;
+            /** Format: tracker */
+            left_lower_leg?: string | null;
+            /** Format: tracker */
+            right_lower_leg?: string | null;
+            /** Format: tracker */
+            left_foot?: string | null;
+            /** Format: tracker */
+            right_foot?: string | null;
+        };
+        PhonesView: {
+            phones: components["schemas"]["PhoneView"][];
         };
         PlotsChoice: {
             open: boolean;
@@ -7709,6 +7942,55 @@ export interface components {
             joint: string;
             is_right: boolean;
         };
+        SlimeVrConfig: {
+            /**
+             * @description discriminator enum property added by openapi-typescript
+             * @enum {string}
+             */
+            kind: "slimevr";
+            /** @default 50 */
+            sample_rate?: number;
+            /** @default false */
+            from_neighbour?: boolean;
+            /** Format: tracker */
+            trunk?: string | null;
+            /** Format: tracker */
+            chair?: string | null;
+            /** Format: tracker */
+            head?: string | null;
+            /** Format: tracker */
+            left_upper_arm?: string | null;
+            /** Format: tracker */
+            right_upper_arm?: string | null;
+            /** Format: tracker */
+            left_forearm?: string | null;
+            /** Format: tracker */
+            right_forearm?: string | null;
+            /** Format: tracker */
+            left_hand?: string | null;
+            /** Format: tracker */
+            right_hand?: string | null;
+            /** Format: tracker */
+            left_fingers?: string | null;
+            /** Format: tracker */
+            right_fingers?: string | null;
+            /** Format: tracker */
+            left_thigh?: string | null;
+            /** Format: tracker */
+            right_thigh?: string | null;
+            /** Format: tracker */
+            left_lower_leg?: string | null;
+            /** Format: tracker */
+            right_lower_leg?: string | null;
+            /** Format: tracker */
+            left_foot?: string | null;
+            /** Format: tracker */
+            right_foot?: string | null;
+            /** @default 0.0.0.0 */
+            host?: string;
+            /** @default 6969 */
+            port?: number;
+        };
         SourceView: {
             shirt: string;
             body: string | null;
@@ -7761,6 +8043,7 @@ export interface components {
             alive: boolean;
             sample_rate: number;
             lost: number;
+            found: string[];
             realtime: string[];
             control: string;
         };
@@ -8273,6 +8556,10 @@ export type PatientTrial = components['schemas']['PatientTrial'];
 export type PatientView = components['schemas']['PatientView'];
 export type PersonConfig = components['schemas']['PersonConfig'];
 export type PersonView = components['schemas']['PersonView'];
+export type PhoneStateView = components['schemas']['PhoneStateView'];
+export type PhoneView = components['schemas']['PhoneView'];
+export type PhonesConfig = components['schemas']['PhonesConfig'];
+export type PhonesView = components['schemas']['PhonesView'];
 export type PlotsChoice = components['schemas']['PlotsChoice'];
 export type PracticeShirt = components['schemas']['PracticeShirt'];
 export type PracticeView = components['schemas']['PracticeView'];
@@ -8328,6 +8615,7 @@ export type SignOffView = components['schemas']['SignOffView'];
 export type SimulatedHeadConfig = components['schemas']['SimulatedHeadConfig'];
 export type SimulatorConfig = components['schemas']['SimulatorConfig'];
 export type SittingChoice = components['schemas']['SittingChoice'];
+export type SlimeVrConfig = components['schemas']['SlimeVrConfig'];
 export type SourceView = components['schemas']['SourceView'];
 export type Speeds = components['schemas']['Speeds'];
 export type Stage = components['schemas']['Stage'];

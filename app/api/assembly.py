@@ -14,6 +14,7 @@ from app.api.live.camera_socket import ActiveCamera
 from app.api.live.driving_screen import DrivingScreen
 from app.api.live.live_picture import ClinicLive, LivePicture
 from app.api.live.message import LiveMessage
+from app.api.live.phone_socket import ActivePhones
 from app.api.live.screen_pictures import ScreenPictures
 from app.api.live.screens import Screens
 from app.api.package_download import ExportCourses
@@ -39,6 +40,7 @@ from app.session.control_link import ControlLink, LinkedProcess
 from app.session.equipment.chairs import Chairs
 from app.session.equipment.head import HeadChoice
 from app.session.equipment.limits import ClinicLimits
+from app.session.equipment.paired_phones import PairedPhones
 from app.session.equipment.shirt import Equipment
 from app.session.equipment.shirt_watch import ShirtWatch
 from app.session.fault_log import FaultLog
@@ -161,6 +163,7 @@ def _add_pictures(parts: Parts) -> None:
     patient_live = parts.add(PatientLive, PatientLive(patient.picture))
     parts.add(Graphics, Graphics(live, patient_live))
     parts.add(ActiveCamera, ActiveCamera())
+    parts.add(ActivePhones, ActivePhones())
     screens = parts.add(Screens, Screens())
     pictures = parts.add(ScreenPictures, ScreenPictures(control, trials))
     driving = parts.add(DrivingScreen, DrivingScreen(control, trials, drives, screens, pictures))
@@ -197,7 +200,8 @@ def _add_sign_in(parts: Parts) -> None:
     parts.add(SignInLimits, SignInLimits())
     parts.add(SetUp, SetUp(settings.setup_code))
     parts.add(PairingCodes, PairingCodes())
-    parts.add(OpenSockets, OpenSockets(settings, parts[Database], busy=lambda: session.recording))
+    phones = parts.add(PairedPhones, PairedPhones())
+    parts.add(OpenSockets, OpenSockets(settings, parts[Database], phones, busy=lambda: session.recording))
 
 
 def _watching(parts: Parts) -> list[Background]:

@@ -4,7 +4,7 @@ from dataclasses import dataclass
 from typing import Literal
 
 from app.cues import Cue
-from app.layout import Joint, ShirtLayout
+from app.layout import Joint, ShirtLayout, joint_title
 from app.texts import Text
 
 READY = 2.0  # s of countdown before each step
@@ -43,7 +43,9 @@ def movement_instruction(joint: Joint) -> Text:
     side, _, part = joint.name.partition("_")
     if side in {"left", "right"} and part in MOVED_PARTS:
         return Text(f"calibration-move-{part}", side=side)
-    return MIDDLE_PARTS.get(joint.name) or Text("calibration-move", joint=joint.label)
+    if joint.name in MIDDLE_PARTS:
+        return MIDDLE_PARTS[joint.name]
+    return Text("calibration-move", joint=joint_title(joint))
 
 
 def _rest() -> Step:

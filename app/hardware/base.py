@@ -153,13 +153,23 @@ class NetworkShirt(Protocol):
 
 
 @runtime_checkable
+class SearchingShirt(Protocol):
+    """A shirt that finds sensors by itself; a person then says where on the body they are."""
+
+    @property
+    def found(self) -> list[str]:
+        """The names of the sensors that send and are on no part of the body."""
+        ...
+
+
+@runtime_checkable
 class PageShirt(Protocol):
     """A shirt whose samples a page sends, by the web process."""
 
     def add_sample(self, page: int, message: bytes, received: float) -> None:
         """Take the message of a page that came at `received` (monotonic s); one that is no sample changes nothing.
 
-        `page` is the number of the page that is the sensor now: another number is another page.
+        `page` is the number of the page that is the sensor now, another number another page; of phones, their number.
         """
         ...
 

@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Annotated, Any, Literal
 from pydantic import Field
 
 from app.hardware.addresses import FilePlace, Host, SerialLine
-from app.hardware.shirt import camera, replay, serial_line, simulator, udp
+from app.hardware.shirt import camera, phones, replay, serial_line, simulator, slimevr, udp
 from app.hardware.shirt.kind import ShirtConfig, ShirtKind
 from app.ports import FREEPIE_PORT, OPENTRACK_PORT, RECEIVER_PORT
 from app.quantities import Count, Document, Port, Title
@@ -17,6 +17,8 @@ from app.speed_limits import Speeds
 KINDS: tuple[ShirtKind[Any], ...] = (
     simulator.KIND,
     camera.KIND,
+    phones.KIND,
+    slimevr.KIND,
     serial_line.KIND,
     udp.KIND,
     replay.KIND,
@@ -25,6 +27,7 @@ SHIRTS: Mapping[str, ShirtKind[Any]] = {kind.name: kind for kind in KINDS}
 """Every kind of shirt by its name."""
 
 ReceiverPort = Annotated[Port, Field(gt=0)]
+MOST_PHONES = phones.MOST_PHONES
 
 
 class PersonConfig(Document):

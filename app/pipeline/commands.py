@@ -351,6 +351,7 @@ def status(loop: ControlLoop) -> JsonDocument:
             "sample_rate": setup.sample_rate if setup.shirt else 0.0,
             "lost": setup.shirt.lost if setup.shirt else 0,
             "senders": _senders(setup.network_shirt),
+            "found": setup.found_sensors,
         },
         "chair": {
             "kind": setup.chair_kind,

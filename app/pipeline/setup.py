@@ -17,6 +17,7 @@ from app.hardware.base import (
     LinkedChair,
     NetworkShirt,
     PageShirt,
+    SearchingShirt,
     Shirt,
 )
 from app.hardware.chair.packet import DIGEST_BYTES
@@ -166,6 +167,11 @@ class Setup:
     def network_shirt(self) -> NetworkShirt | None:
         """The shirt in use when it is a shirt over the network, else None."""
         return self.shirt if isinstance(self.shirt, NetworkShirt) else None
+
+    @property
+    def found_sensors(self) -> list[str]:
+        """The names of the sensors that the shirt has found, and that nobody has placed on the body."""
+        return self.shirt.found if isinstance(self.shirt, SearchingShirt) else []
 
     @property
     def page_shirt(self) -> PageShirt | None:

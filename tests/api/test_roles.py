@@ -19,7 +19,7 @@ FOR_EVERYONE = {
     *("POST /auth/demo", "POST /auth/setup", "POST /auth/sign-in", "POST /auth/unlock", "POST /auth/sign-out"),
     *("POST /auth/invitation", "POST /auth/invitation/accept", "GET /auth/me", "PUT /auth/language"),
     *("GET /start", "GET /reference", "GET /trust", "GET /equipment/practice", "POST /control/stop"),
-    *("POST /patient-screen/pair", "GET /patient-screen/me"),
+    *("POST /patient-screen/pair", "GET /patient-screen/me", "POST /phones/pair", "GET /phones/me"),
     *("POST /shared/open", "GET /shared"),
 }
 # Method and path of those that need no cookie at all; what is shared has a cookie of its own.
@@ -113,7 +113,8 @@ def expected(role: str, name: str, needed: int, view: str) -> set[int]:
 def test_no_websocket_opens_for_nobody(clinic: Clinic) -> None:
     sockets = {context.path for context in contexts(clinic.client.app, APIWebSocketRoute)}  # type: ignore[arg-type]
     views = {"/view/{role}", "/view/{role}/", "/view/replay/{word}", "/view/replay/{word}/"}
-    assert sockets == {"/api/v1/live", "/api/v1/screen", "/api/v1/camera", "/api/v1/patient/live"} | views
+    of_pages = {"/api/v1/live", "/api/v1/screen", "/api/v1/patient/live"}
+    assert sockets == of_pages | {"/api/v1/camera", "/api/v1/phone"} | views
     for path in sockets:
         named = path.replace("{role}", "clinician").replace("{word}", "no-such-word")
         url = f"{BASE.replace('http', 'ws')}{named}"

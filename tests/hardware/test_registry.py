@@ -62,6 +62,8 @@ def test_every_source_of_frames_declares_whether_it_may_arm_a_real_chair():
         "serial": (Trust.WIRED, False),
         "udp": (Trust.WITH_KEY, False),
         "camera": (Trust.NEVER, False),
+        "slimevr": (Trust.NEVER, False),
+        "phones": (Trust.NEVER, False),
     }
     udp = {"kind": "udp", "layout": small_layout().model_dump(mode="json")}
     for document, why in (
@@ -71,6 +73,8 @@ def test_every_source_of_frames_declares_whether_it_may_arm_a_real_chair():
         (udp, NO_KEY),
         ({**udp, "key_file": "shirt-1.key"}, None),
         ({"kind": "camera"}, NOBODY_PROVES_IT),
+        ({"kind": "slimevr"}, NOBODY_PROVES_IT),
+        ({"kind": "phones"}, NOBODY_PROVES_IT),
     ):
         assert SHIRTS[document["kind"]].mistrust(parse_shirt(document)) == why
     assert "bodydrive shirt pair" in str(NO_KEY)

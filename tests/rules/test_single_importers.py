@@ -54,6 +54,9 @@ EXCEPTIONS: dict[str, tuple[str, ...]] = {
     "what is accepted of foreign files is read apart from the routes of the clinic's own plans": (
         "app.api.routes.plan_uploads",
     ),
+    "what trackers send and are answered is judged without the socket that they come by": (
+        "app.hardware.shirt.slimevr_trackers",
+    ),
     "the control process passes ids on and loads no catalogue": ("app.fluent_catalogue",),
     "the map of one joint is fitted apart from what a profile makes of all joints": ("app.calibration.fit.joint_fit",),
     "the help of a command loads no library; what the command runs loads many": ("app.cli.study.study_runs",),

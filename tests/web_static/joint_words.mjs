@@ -39,11 +39,11 @@ assert.equal(jointWithin(usual), within);
 assert.equal(jointWithin({ name: "right_elbow", label: alone }), within); // its label was translated before
 for (const own of [
   { name: "right_elbow", label: "Elbow with the splint" },
-  { name: "left_knee", label: "Left knee" },
+  { name: "left_ear", label: "Left ear" },
 ])
   assert.deepEqual([jointLabel(own), jointWithin(own)], [own.label, own.label]);
 
-assert.deepEqual([labelWords("Right elbow"), labelWords("Left knee")], [alone, "Left knee"]);
+assert.deepEqual([labelWords("Right elbow"), labelWords("Left ear")], [alone, "Left ear"]);
 assert.equal(sensorName("right_elbow_3"), sensor);
 assert.equal(sensorWithin("right_elbow_3"), sensor.replace(alone, within));
 assert.equal(sensorName("right_elbow_bend"), bend);

@@ -65,6 +65,7 @@ class StatusView(Document):
     alive: bool
     sample_rate: float
     lost: int
+    found: list[str]  # names of the sensors that the shirt has found, and that nobody has placed on the body
     realtime: list[Text | str]
     control: str
 
@@ -185,6 +186,7 @@ class EquipmentState:
                 alive=False,
                 sample_rate=equipment.sample_rate,
                 lost=0,
+                found=[],
                 realtime=[],
                 control=self.control.state,
             ), HeadTrackerView(config=config, message=text_of(refusal))
@@ -194,6 +196,7 @@ class EquipmentState:
             alive=bool(shirt.get("alive", False)),
             sample_rate=float(shirt.get("sample_rate") or equipment.sample_rate),
             lost=int(shirt.get("lost") or 0),
+            found=list(shirt.get("found") or ()),
             realtime=[from_document(sentence) for sentence in status.get("realtime", [])],
             control=self.control.state,
         )

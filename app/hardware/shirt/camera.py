@@ -10,6 +10,7 @@ from pydantic import Field
 
 from app.clock import Clock
 from app.hardware.shirt.kind import FieldTexts, ShirtConfig, ShirtKind, Trust, page_texts
+from app.hardware.shirt.page_clock import PageClock
 from app.hardware.shirt.simulator import Pace
 from app.hardware.shirt.standard import bundled_layout
 from app.messages import ALIVE, SensorFrame
@@ -19,7 +20,6 @@ from app.texts import Figure, Text, Value
 CAMERA_LAYOUT = "camera-upper-body.json"
 FRESH_PERIODS = 3.0  # without a sample, after which every channel is missing
 TOO_OLD = 0.5  # s between a picture and the arrival of its sample: an older one shows a body of the past
-CLOCK_DRIFT = 2e-4  # s per s by which the least delay is raised: two clocks of 100 ppm, one too fast and one too slow
 SHORTEST_INTERVAL = 1e-3  # s
 SMOOTHING = 0.1  # weight of the newest interval in the measured rate of pictures
 
@@ -56,24 +56,6 @@ def decode_sample(message: bytes, channels: int) -> CameraSample | None:
     if not np.all(np.isnan(values) | (np.abs(values) <= LARGEST_VALUE)):
         return None
     return CameraSample(seq, picture_t, sent_t, values)
-
-
-class PageClock:
-    """The clock of one page against ours.
-
-    What the two differ by is unknown, but it does not change: the message that took least time shows it. A delay that
-    is there from the first message on cannot be seen in this way; on a local network it is a few milliseconds.
-    """
-
-    def __init__(self) -> None:
-        self._least = math.inf  # s, the least difference between our clock and the page's
-        self._received = 0.0  # monotonic s, when the newest message came
-
-    def age(self, sample: CameraSample, received: float) -> float:
-        """Return how old (s) the picture of a sample was that came at `received` (monotonic s)."""
-        self._least = min(self._least + CLOCK_DRIFT * max(0.0, received - self._received), received - sample.sent_t)
-        self._received = received
-        return received - self._least - sample.picture_t
 
 
 class CameraConfig(ShirtConfig):
@@ -137,7 +119,7 @@ class CameraShirt:
             return
         self._seq = sample.seq
         received = min(received, self._clock.now())
-        self._age = self._page_clock.age(sample, received)
+        self._age = self._page_clock.age(sample.picture_t, sample.sent_t, received)
         if self._age > TOO_OLD:
             self.late += 1
             return

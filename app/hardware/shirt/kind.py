@@ -116,6 +116,11 @@ class ShirtKind(Generic[Config]):
         extras = {name: field.json_schema_extra for name, field in self.config.model_fields.items()}
         return [name for name, extra in extras.items() if isinstance(extra, dict) and extra.get("format") == form]
 
+    def title_of(self, field: str) -> Text | None:
+        """Return the title of a field on the Shirt page, None when it has none in the catalogue."""
+        texts = (one.title for one in self.config.model_fields[field].metadata if isinstance(one, FieldTexts))
+        return next(texts, None)
+
     def mistrust(self, config: Config) -> Text | None:
         """Return why a shirt of this configuration arms no real chair; None when it may."""
         if self.trust is Trust.WIRED:

@@ -27,16 +27,15 @@ from app.hardware.shirt.kind import (
 )
 from app.hardware.shirt.newest_frame import NewestFrame, newest_file
 from app.hardware.shirt.packet import LONGEST, Packet, decode, decode_signed, refusal
-from app.hardware.shirt.sender_choice import Address, SenderChoice
+from app.hardware.shirt.sender_choice import SHIRT_SENDER_SILENCE, Address, SenderChoice
 from app.hardware.shirt.standard import standard_layout
+from app.hardware.shirt.udp_socket import bound_socket
 from app.messages import ALIVE, SensorFrame
 from app.ports import SHIRT_PORT
 from app.quantities import Port
 from app.texts import Figure, Text, Value
 
 BUFFER = 2 * LONGEST  # bytes: room to notice a datagram that is too long
-KERNEL_BUFFER = 1 << 20  # bytes: one second of frames at 1 kHz, for a hold-up of the loop
-SHIRT_SENDER_SILENCE = 2.0  # s until another sender is accepted: longer than a shirt may be silent while armed (S4)
 WRITE_AHEAD = 10.0  # s of frames that one write of the newest frame's number allows
 _TIME = struct.Struct("@ll")  # struct timeval
 
@@ -115,7 +114,7 @@ class UdpShirt:
         self._frame_t = -math.inf
         if self._key_file is not None:
             self._open_key(self._key_file)
-        self._socket = self._bound()
+        self._socket = bound_socket(*self.address)
         self.address = (self.address[0], self._socket.getsockname()[1])
 
     def read(self, timeout: float) -> SensorFrame | None:
@@ -270,23 +269,6 @@ class UdpShirt:
         newest = NewestFrame(newest_file(file), math.ceil(WRITE_AHEAD * self.sample_rate))
         newest.open()
         self._newest = newest
-
-    def _bound(self) -> socket.socket:
-        host, port = self.address
-        try:
-            family, kind, _, _, address = socket.getaddrinfo(host, port, type=socket.SOCK_DGRAM)[0]
-        except (OSError, UnicodeError) as error:
-            raise HardwareError(Text("shirtdev-udp-no-address", host=host)) from error
-        listening = socket.socket(family, kind)
-        try:
-            listening.setsockopt(socket.SOL_SOCKET, socket.SO_RCVBUF, KERNEL_BUFFER)
-            listening.bind(address)
-        except OSError as error:
-            listening.close()
-            raise HardwareError(
-                Text("shirtdev-udp-failed", place=f"{host}:{port}", why=error.strerror or "")
-            ) from error
-        return listening
 
 
 KIND = ShirtKind(UdpConfig, UdpShirt, Trust.WITH_KEY)

@@ -56,6 +56,7 @@ class Equipment(ClinicChoice):
         self.failure: Text | str | None = None  # why there is no shirt, None when there is one
         self.state: Text | str = ""  # of the shirt, in words, as of the last `refresh`
         self.silent = False  # whether there was a shirt then that sent nothing
+        self.found: list[str] = []  # names of the sensors that it had found then, and that nobody has placed
         self.mistrust: Text | str | None = NO_SHIRT  # why the shirt arms no real chair, None when it may
 
     async def open(self) -> None:
@@ -91,6 +92,13 @@ class Equipment(ClinicChoice):
         """Return whether the chosen shirt is the camera of a page."""
         return self.kind == "camera"
 
+    def part_of_sensor(self, name: str) -> Text | None:
+        """Return the part of the body that a sensor of this name is on, None when it is on none."""
+        if self.shirt is None:
+            return None
+        kind = SHIRTS[str(self.shirt["kind"])]
+        return next((kind.title_of(part) for part in kind.fields_of("tracker") if self.shirt.get(part) == name), None)
+
     @property
     def practice(self) -> str | None:
         """Return the kind of the chosen shirt when nobody wears it: every page then says that this is practice."""
@@ -119,14 +127,16 @@ class Equipment(ClinicChoice):
         await self._store()
 
     async def refresh(self) -> None:
-        """Read the state of the shirt; notify the pages when it has fallen silent, and when it sends again."""
+        """Read the state of the shirt; notify the pages when it falls silent, sends again, or finds other sensors."""
         try:
             shirt = (await self._control.call("status"))["shirt"]
         except Refusal:
             return  # the pages are told of a control process that is being restarted
-        before, self.silent = self.silent, self.layout is not None and bool(shirt["silent"])
+        before = self.silent, self.found
+        self.silent = self.layout is not None and bool(shirt["silent"])
+        self.found = list(shirt.get("found") or ())
         self.state = from_document(shirt["words"])
-        if self.silent != before:
+        if (self.silent, self.found) != before:
             self._notify(News(what="equipment"))
 
     async def use_body(self, config: JsonDocument) -> None:

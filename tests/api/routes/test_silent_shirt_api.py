@@ -35,6 +35,14 @@ def test_nothing_is_started_while_the_shirt_is_silent_and_the_pages_know_why(cal
         calibrated.start_trial()
 
 
+def test_the_pages_are_told_which_sensors_the_shirt_has_found(calibrated: Clinic) -> None:
+    assert calibrated.good("GET", "/equipment")["status"]["found"] == []
+    with calibrated.socket("/live") as socket:
+        calibrated.process.found = ["A1:B2:C3:D4:E5:F6"]
+        next_message(socket, lambda m: m.get("event") == "equipment")
+        assert calibrated.good("GET", "/equipment")["status"]["found"] == ["A1:B2:C3:D4:E5:F6"]
+
+
 def test_the_state_of_another_shirt_is_known_as_soon_as_it_is_chosen(calibrated: Clinic) -> None:
     calibrated.process.shirt_words = "Another one."
     calibrated.good("PUT", "/equipment/shirt", json={"kind": "simulator", "seed": 2})

@@ -5,14 +5,19 @@ import socket
 import numpy as np
 from fake_clock import FakeClock
 from hardware.shirt.camera_page import CameraPage
+from hardware.shirt.phone_page import PhonePage
+from hardware.shirt.slime_tracker import SlimeTracker
 from hardware.shirt.wired_board import WiredBoard
 
 from app.clock import MonotonicClock
 from app.hardware.shirt.camera import CameraConfig, CameraShirt
+from app.hardware.shirt.orientation_frames import REST_TIME
 from app.hardware.shirt.packet import encode
+from app.hardware.shirt.phones import PhonesConfig, PhonesShirt
 from app.hardware.shirt.replay import ReplayConfig, ReplayedShirt
 from app.hardware.shirt.serial_line import SerialConfig, SerialShirt
 from app.hardware.shirt.simulator import SimulatedShirt, SimulatorConfig
+from app.hardware.shirt.slimevr import SlimeVrConfig, SlimeVrShirt
 from app.hardware.shirt.udp import UdpConfig, UdpShirt
 from app.layout import Channel, Joint, ShirtLayout
 
@@ -116,6 +121,42 @@ class LinesCase(FramesCase):
     format = "lines"
 
 
+class SlimeVrCase:
+    """A tracker on the right forearm, at rest, on a fake clock; its datagrams are real."""
+
+    rate = RATE
+
+    def __init__(self, _tmp_path):
+        self.clock = FakeClock(50.0)
+        self.tracker = SlimeTracker(rate=RATE)
+        config = SlimeVrConfig(
+            kind="slimevr", host="127.0.0.1", port=0, sample_rate=RATE, right_forearm=self.tracker.mac
+        )
+        self.shirt = SlimeVrShirt(config, self.clock)
+        self.device = socket.socket(socket.AF_INET, socket.SOCK_DGRAM)
+        self.device.setblocking(False)
+
+    def let_come(self, count):
+        self.be_still()
+        self.clock.time += (count - 1) / RATE + 1e-6
+        self.send(self.tracker.rotation())
+
+    def be_still(self):
+        """Let the tracker greet, and stay at rest up to the first frame."""
+        self.send(self.tracker.handshake())
+        self.clock.time += 1e-6
+        for _ in range(round(REST_TIME * RATE) - 1):
+            self.send(self.tracker.rotation())
+            assert self.shirt.read(0.0) is None
+            self.clock.time += 1 / RATE
+
+    def send(self, datagram):
+        self.device.sendto(datagram, self.shirt.address)
+
+    def end(self):
+        self.device.close()
+
+
 class CameraCase:
     """The camera on a fake clock, and a page that sends what it sees."""
 
@@ -136,4 +177,27 @@ class CameraCase:
         """Do nothing: no other resource is held."""
 
 
-SHIRTS = (SimulatedCase, CameraCase, FramesCase, LinesCase, UdpCase, ReplayedCase)
+class PhonesCase:
+    """A phone on the right forearm, at rest, on a fake clock."""
+
+    rate = RATE
+
+    def __init__(self, _tmp_path):
+        self.clock = FakeClock(50.0)
+        self.shirt = PhonesShirt(PhonesConfig(kind="phones", sample_rate=RATE, right_forearm="1"), self.clock)
+        self.page = PhonePage(self.shirt, self.clock)
+
+    def let_come(self, count):
+        self.clock.time += 1e-6
+        for _ in range(round(REST_TIME * RATE) - 1):
+            self.page.send()
+            assert self.shirt.read(0.0) is None
+            self.clock.time += 1 / RATE
+        self.clock.time += (count - 1) / RATE
+        self.page.send()
+
+    def end(self):
+        """Do nothing: no other resource is held."""
+
+
+SHIRTS = (SimulatedCase, CameraCase, PhonesCase, SlimeVrCase, FramesCase, LinesCase, UdpCase, ReplayedCase)

@@ -124,4 +124,4 @@ def test_the_page_counts_the_lines_and_names_every_format() -> None:
     formats = re.findall(r'^  "?([a-z-]+)"?[:,]', fields.split("const OF_FORMAT = {")[1].split("};")[0], re.MULTILINE)
     types = {"signal-file": "SignalFile", "shirt-key": "ShirtKey", "layout": "LayoutFile"}
     assert [name for name in formats if f"| `{types.get(name, f'format` `{name}')}` |" not in PAGE] == []
-    assert len(formats) == 6
+    assert len(formats) == 7

@@ -14,7 +14,7 @@ from app.hardware.shirt.kind import LayoutFile, ShirtConfig, ShirtKey, ShirtKind
 from app.hardware.shirt.standard import standard_layout
 from app.hardware.shirt.udp import UdpShirt
 
-NOTHING: dict[str, Any] = {"now": None, "layout": None, "files": [], "keys": []}
+NOTHING: dict[str, Any] = {"now": None, "layout": None, "files": [], "keys": [], "found": []}
 FILES = [
     {"name": "knit.csv", "kind": "signals", "size": 2_000},
     {"name": "body.csv", "kind": "body", "size": 2_000},
@@ -122,3 +122,16 @@ def test_a_choice_is_shown_by_its_words_and_sent_by_its_name(drawn: Callable[...
     after = serial.config.model_validate(page["after"])
     assert after == serial.config(kind="serial", device="/dev/ttyUSB0", baud=2_000_000, format="lines")
     assert page["in_use"] == "Shirt on the cable at /dev/ttyUSB0"
+
+
+def test_sensors_that_are_found_are_offered_beside_each_part_of_the_body(drawn: Callable[..., Any]) -> None:
+    slimevr, mine, other = SHIRTS["slimevr"], "A1:B2:C3:D4:E5:F6", "00:00:00:00:00:0A/1"
+    now = slimevr.config(kind="slimevr", trunk=mine)
+    around = {"now": now.model_dump(mode="json"), "found": [other]}
+    page = drawn(slimevr, around, **{"Left forearm": other})
+    shown = {field["label"]: field for field in page["shown"]}
+    assert shown["Trunk"]["options"] == ["None", mine, other]
+    assert shown["Left forearm"]["options"] == ["None", other]
+    assert slimevr.config.model_validate(page["before"]) == now
+    assert slimevr.config.model_validate(page["after"]) == now.model_copy(update={"left_forearm": other})
+    assert page["in_use"] == "Trackers on port 6969"

@@ -95,6 +95,8 @@ source-host = Empfangen auf
 source-port = Port
 source-layout-wrong = { $file }: Dies ist kein JSON-Dokument. Wählen Sie ein Shirt-Layout.
 source-key-none = Keiner
+# No sensor.
+source-sensor-none = Keiner
 sender-now = Die Datenpakete kommen von { $shirt }.
 sender-other = Auch von { $other } kommen Datenpakete. Sie werden nicht verwendet, weil der Sender { $shirt } das Shirt ist. Nehmen Sie den neuen Sender nur, wenn das Shirt des Patienten gewechselt oder neu gestartet wurde.
 sender-use = Neuen Sender nehmen

@@ -95,6 +95,8 @@ source-host = Listen on
 source-port = Port
 source-layout-wrong = { $file }: this is not a JSON document; choose a shirt layout.
 source-key-none = None
+# No sensor.
+source-sensor-none = None
 sender-now = Its frames come from { $shirt }.
 sender-other = Another sender, { $other }, also sends frames. They are not used, because the shirt is the sender at { $shirt }. Use the new sender only when the patient’s shirt was changed or started again.
 sender-use = Use the new sender

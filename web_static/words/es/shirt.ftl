@@ -99,6 +99,8 @@ source-host = Escuchar en
 source-port = Puerto
 source-layout-wrong = { $file }: no es un documento JSON; elija la disposición de una camiseta.
 source-key-none = Ninguna
+# No sensor.
+source-sensor-none = Ninguno
 sender-now = Sus muestras llegan de { $shirt }.
 sender-other = También llegan muestras de { $other }. Se descartan, porque la camiseta es el emisor en { $shirt }. Acepte el emisor nuevo solo si se ha cambiado o reiniciado la camiseta del paciente.
 sender-use = Usar el emisor nuevo

@@ -9,6 +9,7 @@
  * @property {ShirtConfig | null} now the configuration in use when it is of this kind
  * @property {ReadonlySignal<ShirtLayout | null>} layout of the shirt in use
  * @property {ReadonlySignal<FileView[]>} files @property {ReadonlySignal<string[]>} keys names of the keys of paired shirts
+ * @property {ReadonlySignal<string[]>} found names of the sensors that the shirt in use has found
  * @typedef {{element: VNode<any> | null, isNarrow?: boolean, read: () => unknown}} FormField narrow ones stand side by side
  * @typedef {(schema: FieldSchema, value: any, around: Surroundings) => FormField} Maker makes a field that shows `value`
  */
@@ -27,6 +28,7 @@ const OF_FORMAT = {
   hidden: (_schema, value) => ({ element: null, read: () => value }),
   "signal-file": signalFile,
   "shirt-key": shirtKey,
+  tracker,
   layout: layoutFile,
   channels,
   stepper: steps,
@@ -181,6 +183,18 @@ function shirtKey({ title = "", description }, value, { keys }) {
     return h(Field, { label: title, hint: description }, h(Selection, { options, chosen: key, onChange }));
   };
   return { element: h(Key, {}), read: () => key || null };
+}
+
+/** A selection among the sensors that the shirt in use has found, and the one in use. @type {Maker} */
+function tracker({ title = "", description }, value, { found }) {
+  let chosen = String(value ?? "");
+  const onChange = (/** @type {string} */ name) => void (chosen = name);
+  const Sensor = () => {
+    const names = [...new Set(["", ...(value ? [String(value)] : []), ...found.value])];
+    const options = names.map((name) => ({ value: name, label: name || t("source-sensor-none") }));
+    return h(Field, { label: title, hint: description }, h(Selection, { options, chosen, onChange }));
+  };
+  return { element: h(Sensor, {}), isNarrow: true, read: () => chosen || null };
 }
 
 /** A layout out of a file; without one the layout in use, and without that the kind's own. @type {Maker} */

@@ -10,6 +10,7 @@ import { h, useLayoutEffect, useRef, useSignal } from "../../preact.js";
 import { t } from "../../texts.js";
 import { BodyForm, bodyWords } from "./body_form.js";
 import { HeadActions, HeadForm, headWords } from "./head_card.js";
+import { PairedPhones } from "./paired_phones.js";
 import { ShirtSender } from "./shirt_sender.js";
 import { SourceForm, sourceWords } from "./source_form.js";
 
@@ -27,6 +28,7 @@ export function SourceCard({ store }) {
       form: (use) => h(SourceForm, { store, onUse: (config) => use(app.api.put("/equipment/shirt", config)) }),
     },
     kinds.some(({ network, kind }) => network && kind === shirt?.kind) && h(ShirtSender, { store }),
+    shirt?.kind === "phones" && h(PairedPhones, { store }),
   );
 }
 

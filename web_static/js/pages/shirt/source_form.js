@@ -31,6 +31,7 @@ export function SourceForm({ store: { app, kinds, equipment }, onUse }) {
       layout: computed(() => equipment.value.layout),
       files: computed(() => equipment.value.files),
       keys: computed(() => equipment.value.shirt_keys),
+      found: computed(() => equipment.value.status.found),
     });
   }, [kind.value]);
   useLayoutEffect(() => {

@@ -38,6 +38,36 @@ shirtdev-udp-in-use = Shirt über das Netz auf Port { $port }
 # An address of this machine.
 shirtdev-udp-host = Empfangen auf
 shirtdev-udp-port = Port
+# Trackers: small sensors of orientation, each worn on one part of the body. SlimeVR and owoTrack are names.
+shirtdev-slimevr-title = Tracker (SlimeVR)
+shirtdev-slimevr-about = Kleine Lagesensoren an Körperteilen, über das Funknetz; auch Telefone mit owoTrack.
+shirtdev-slimevr-in-use = Tracker auf Port { $port }
+shirtdev-slimevr-host-hint = 0.0.0.0 steht für alle Netze dieses Rechners: Dort suchen ihn die Tracker.
+shirtdev-trunk-hint = Sensoren, die senden, stehen zur Wahl. Arme und Beine werden von diesem aus gemessen.
+shirtdev-chair-hint = Ohne Sensor am Rumpf werden die anderen von diesem aus gemessen.
+# A limb: an arm or a leg. Its neighbour is the next part towards the trunk, such as the upper arm for the forearm.
+shirtdev-from-neighbour = Jedes Körperteil von seinem Nachbarn aus messen
+# Parts of the body that wear a tracker: the label of a field, and in lists.
+shirtdev-part-trunk = Rumpf
+shirtdev-part-chair = Rollstuhl
+shirtdev-part-head = Kopf
+shirtdev-part-left-upper-arm = Linker Oberarm
+shirtdev-part-right-upper-arm = Rechter Oberarm
+shirtdev-part-left-forearm = Linker Unterarm
+shirtdev-part-right-forearm = Rechter Unterarm
+shirtdev-part-left-hand = Linke Hand
+shirtdev-part-right-hand = Rechte Hand
+shirtdev-part-left-fingers = Linke Finger
+shirtdev-part-right-fingers = Rechte Finger
+shirtdev-part-left-thigh = Linker Oberschenkel
+shirtdev-part-right-thigh = Rechter Oberschenkel
+shirtdev-part-left-lower-leg = Linker Unterschenkel
+shirtdev-part-right-lower-leg = Rechter Unterschenkel
+shirtdev-part-left-foot = Linker Fuß
+shirtdev-part-right-foot = Rechter Fuß
+shirtdev-phones-title = Telefone als Sensoren
+shirtdev-phones-about = Bis zu sechs Telefone oder Tablets, an Körperteile gebunden, zeigen, wie sich diese drehen. Jedes öffnet eine Seite und sendet; installiert wird nichts.
+shirtdev-phones-in-use = Telefone, { $rate } Datenpakete pro Sekunde
 shirtdev-camera-title = Eine Kamera
 shirtdev-camera-about = Die Kamera eines Tablets, Laptops oder Telefons folgt dem Oberkörper; niemand trägt etwas. Ihr Bild bleibt im Browser. Sie gibt keinen echten Rollstuhl frei.
 shirtdev-camera-in-use = Kamera, { $rate } Datenpakete pro Sekunde
@@ -219,6 +249,41 @@ shirtdev-camera =
 
 # So that no old frame drives, the number of the newest one is stored in a file.
 shirtdev-newest-unknown = { $file }: nirgends steht, welches Datenpaket dieses Shirts das neueste war, und ein altes darf nicht fahren; koppeln Sie das Shirt neu
+
+# $sensor is the name of a sensor: the address of a tracker, perhaps with a number and flex.
+shirtdev-slimevr-no-name = „{ $given }“ ist keine Adresse eines Trackers; schreiben Sie sie wie A1:B2:C3:D4:E5:F6, mit /1 für einen zweiten Sensor und /flex für einen Dehnungssensor
+shirtdev-sensor-twice = der Sensor { $sensor } steht bei zwei Körperteilen; lassen Sie eines davon leer
+shirtdev-slimevr-flex-chair = der Sensor { $sensor } misst keine Lage; wählen Sie für den Rollstuhl einen anderen, oder lassen Sie das Feld leer
+shirtdev-slimevr-closed = Der Empfang der Tracker ist aus.
+# $refused counts datagrams (packets of the network) that are none of a tracker.
+shirtdev-slimevr =
+    Tracker auf { $place }: { $sending } von { $placed } senden, { $sensors } Sensoren{ $refused ->
+        [0] {""}
+        [one] , { $refused } Datagramm abgelehnt
+       *[other] , { $refused } Datagramme abgelehnt
+    }.
+# $sensors is a list of addresses.
+shirtdev-slimevr-found = An keinem Körperteil: { $sensors }. Wählen Sie jeden bei dem Körperteil, an dem er sitzt.
+shirtdev-phones-no-number = „{ $given }“ ist die Nummer keines Telefons; schreiben Sie eine von 1 bis { $most }
+shirtdev-phones-closed = Die Telefone sind nicht in Gebrauch.
+# $late and $refused count what is left out; $delay is how late the newest one was.
+shirtdev-phones =
+    Telefone: { $sending } von { $placed } senden, { $sensors } Sensoren{ $refused ->
+        [0] {""}
+        [one] , { $refused } Nachricht abgelehnt
+       *[other] , { $refused } Nachrichten abgelehnt
+    }{ $late ->
+        [0] {""}
+        [one] , { $late } verspätete Nachricht ausgelassen (die neueste brauchte { $delay } s länger als die schnellste)
+       *[other] , { $late } verspätete Nachrichten ausgelassen (die neueste brauchte { $delay } s länger als die schnellste)
+    }.
+# $phones is a list of numbers.
+shirtdev-phones-found = An keinem Körperteil: Telefon { $phones }. Wählen Sie jedes bei dem Körperteil, an dem es sitzt.
+# In the next four, $parts is a list of parts of the body.
+shirtdev-sensors-silent = Sendet nicht: { $parts }. Schalten Sie die Sensoren dort ein, und prüfen Sie ihr Netz.
+shirtdev-sensors-moving = Noch nicht in Ruhe: { $parts }. Eine Sekunde stillhalten, Arme hängen lassen.
+shirtdev-sensors-drift = Driftet um mehr als 2° pro Sekunde: { $parts }. Legen Sie den Sensor eine Minute lang hin, oder kalibrieren Sie ihn, wie sein Hersteller es angibt.
+shirtdev-sensors-battery = Akku fast leer: { $parts }. Laden Sie ihn.
 
 ## Why frames are not used: each stands in brackets, behind what is left out.
 

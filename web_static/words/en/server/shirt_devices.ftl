@@ -38,6 +38,36 @@ shirtdev-udp-in-use = Network shirt on port { $port }
 # An address of this machine.
 shirtdev-udp-host = Listen on
 shirtdev-udp-port = Port
+# Trackers: small sensors of orientation, each worn on one part of the body. SlimeVR and owoTrack are names.
+shirtdev-slimevr-title = Trackers (SlimeVR)
+shirtdev-slimevr-about = Small sensors of orientation on parts of the body, over the wireless network; phones with owoTrack, too.
+shirtdev-slimevr-in-use = Trackers on port { $port }
+shirtdev-slimevr-host-hint = 0.0.0.0 is every network of this machine: trackers look for it there.
+shirtdev-trunk-hint = Sensors that send are offered. Arms and legs are measured from this one.
+shirtdev-chair-hint = Without a sensor on the trunk, the others are measured from this one.
+# A limb: an arm or a leg. Its neighbour is the next part towards the trunk, such as the upper arm for the forearm.
+shirtdev-from-neighbour = Measure each part from its neighbour
+# Parts of the body that wear a tracker: the label of a field, and in lists.
+shirtdev-part-trunk = Trunk
+shirtdev-part-chair = Chair
+shirtdev-part-head = Head
+shirtdev-part-left-upper-arm = Left upper arm
+shirtdev-part-right-upper-arm = Right upper arm
+shirtdev-part-left-forearm = Left forearm
+shirtdev-part-right-forearm = Right forearm
+shirtdev-part-left-hand = Left hand
+shirtdev-part-right-hand = Right hand
+shirtdev-part-left-fingers = Left fingers
+shirtdev-part-right-fingers = Right fingers
+shirtdev-part-left-thigh = Left thigh
+shirtdev-part-right-thigh = Right thigh
+shirtdev-part-left-lower-leg = Left lower leg
+shirtdev-part-right-lower-leg = Right lower leg
+shirtdev-part-left-foot = Left foot
+shirtdev-part-right-foot = Right foot
+shirtdev-phones-title = Phones as sensors
+shirtdev-phones-about = Up to six phones or tablets, tied to parts of the body, show how these turn. Each opens a page and sends; nothing is installed.
+shirtdev-phones-in-use = Phones, { $rate } frames a second
 shirtdev-camera-title = A camera
 shirtdev-camera-about = The camera of a tablet, laptop or phone follows the upper body; nobody wears anything. Its picture stays in the browser. It arms no real chair.
 shirtdev-camera-in-use = Camera, { $rate } frames a second
@@ -219,6 +249,41 @@ shirtdev-camera =
 
 # So that no old frame drives, the number of the newest one is stored in a file.
 shirtdev-newest-unknown = { $file }: nothing says which frame of this shirt was the newest, and an old one must not drive: pair the shirt anew
+
+# $sensor is the name of a sensor: the address of a tracker, perhaps with a number and flex.
+shirtdev-slimevr-no-name = '{ $given }' is no tracker's address: write it like A1:B2:C3:D4:E5:F6, with /1 for a second sensor and /flex for a strain sensor
+shirtdev-sensor-twice = the sensor { $sensor } is on two parts of the body: leave one of them empty
+shirtdev-slimevr-flex-chair = the sensor { $sensor } has no orientation: choose another one for the chair, or leave that empty
+shirtdev-slimevr-closed = Nothing listens for trackers.
+# $refused counts datagrams (packets of the network) that are none of a tracker.
+shirtdev-slimevr =
+    Trackers on { $place }: { $sending } of { $placed } send, { $sensors } sensors{ $refused ->
+        [0] {""}
+        [one] , { $refused } datagram refused
+       *[other] , { $refused } datagrams refused
+    }.
+# $sensors is a list of addresses.
+shirtdev-slimevr-found = On no part of the body: { $sensors }. Choose each beside the part that wears it.
+shirtdev-phones-no-number = '{ $given }' is the number of no phone: write one from 1 to { $most }
+shirtdev-phones-closed = The phones are not in use.
+# $late and $refused count what is left out; $delay is how late the newest one was.
+shirtdev-phones =
+    Phones: { $sending } of { $placed } send, { $sensors } sensors{ $refused ->
+        [0] {""}
+        [one] , { $refused } message refused
+       *[other] , { $refused } messages refused
+    }{ $late ->
+        [0] {""}
+        [one] , { $late } late message left out (the newest took { $delay } s longer than the quickest)
+       *[other] , { $late } late messages left out (the newest took { $delay } s longer than the quickest)
+    }.
+# $phones is a list of numbers.
+shirtdev-phones-found = On no part of the body: phone { $phones }. Choose each beside the part that wears it.
+# In the next four, $parts is a list of parts of the body.
+shirtdev-sensors-silent = Silent: { $parts }. Switch these on, and check their network.
+shirtdev-sensors-moving = Not yet at rest: { $parts }. Stay still for a second, arms down.
+shirtdev-sensors-drift = Drifts by more than 2° a second: { $parts }. Lay it down for a minute, or calibrate the sensor as its maker says.
+shirtdev-sensors-battery = Battery almost empty: { $parts }. Charge it.
 
 ## Why frames are not used: each stands in brackets, behind what is left out.
 

@@ -38,6 +38,36 @@ shirtdev-udp-in-use = Camiseta por la red en el puerto { $port }
 # An address of this machine.
 shirtdev-udp-host = Escuchar en
 shirtdev-udp-port = Puerto
+# Trackers: small sensors of orientation, each worn on one part of the body. SlimeVR and owoTrack are names.
+shirtdev-slimevr-title = Rastreadores (SlimeVR)
+shirtdev-slimevr-about = Pequeños sensores de orientación en partes del cuerpo, por la red inalámbrica; también teléfonos con owoTrack.
+shirtdev-slimevr-in-use = Rastreadores en el puerto { $port }
+shirtdev-slimevr-host-hint = 0.0.0.0 son todas las redes de este equipo: allí lo buscan los rastreadores.
+shirtdev-trunk-hint = Se ofrecen los sensores que envían. Brazos y piernas se miden desde este.
+shirtdev-chair-hint = Sin un sensor en el tronco, los demás se miden desde este.
+# A limb: an arm or a leg. Its neighbour is the next part towards the trunk, such as the upper arm for the forearm.
+shirtdev-from-neighbour = Medir cada parte desde su vecina
+# Parts of the body that wear a tracker: the label of a field, and in lists.
+shirtdev-part-trunk = Tronco
+shirtdev-part-chair = Silla
+shirtdev-part-head = Cabeza
+shirtdev-part-left-upper-arm = Brazo izquierdo
+shirtdev-part-right-upper-arm = Brazo derecho
+shirtdev-part-left-forearm = Antebrazo izquierdo
+shirtdev-part-right-forearm = Antebrazo derecho
+shirtdev-part-left-hand = Mano izquierda
+shirtdev-part-right-hand = Mano derecha
+shirtdev-part-left-fingers = Dedos de la mano izquierda
+shirtdev-part-right-fingers = Dedos de la mano derecha
+shirtdev-part-left-thigh = Muslo izquierdo
+shirtdev-part-right-thigh = Muslo derecho
+shirtdev-part-left-lower-leg = Pierna izquierda, por debajo de la rodilla
+shirtdev-part-right-lower-leg = Pierna derecha, por debajo de la rodilla
+shirtdev-part-left-foot = Pie izquierdo
+shirtdev-part-right-foot = Pie derecho
+shirtdev-phones-title = Teléfonos como sensores
+shirtdev-phones-about = Hasta seis teléfonos o tabletas, sujetos a partes del cuerpo, muestran cómo giran estas. Cada uno abre una página y envía; no se instala nada.
+shirtdev-phones-in-use = Teléfonos, { $rate } muestras por segundo
 shirtdev-camera-title = Una cámara
 shirtdev-camera-about = La cámara de una tableta, un portátil o un teléfono sigue la parte superior del cuerpo; nadie lleva nada puesto. Su imagen se queda en el navegador. No habilita ninguna silla real.
 shirtdev-camera-in-use = Cámara, { $rate } muestras por segundo
@@ -215,6 +245,41 @@ shirtdev-camera =
 
 # So that no old frame drives, the number of the newest one is stored in a file.
 shirtdev-newest-unknown = { $file }: nada indica cuál fue la muestra más reciente de esta camiseta, y una antigua no debe conducir: vincule de nuevo la camiseta
+
+# $sensor is the name of a sensor: the address of a tracker, perhaps with a number and flex.
+shirtdev-slimevr-no-name = “{ $given }” no es la dirección de un rastreador: escríbala como A1:B2:C3:D4:E5:F6, con /1 para un segundo sensor y /flex para un sensor de estiramiento
+shirtdev-sensor-twice = el sensor { $sensor } está en dos partes del cuerpo: deje vacía una de ellas
+shirtdev-slimevr-flex-chair = el sensor { $sensor } no mide la orientación: elija otro para la silla o deje vacío el campo
+shirtdev-slimevr-closed = No se están escuchando los rastreadores.
+# $refused counts datagrams (packets of the network) that are none of a tracker.
+shirtdev-slimevr =
+    Rastreadores en { $place }: envían { $sending } de { $placed }, { $sensors } sensores{ $refused ->
+        [0] {""}
+        [one] , { $refused } datagrama rechazado
+       *[other] , { $refused } datagramas rechazados
+    }.
+# $sensors is a list of addresses.
+shirtdev-slimevr-found = En ninguna parte del cuerpo: { $sensors }. Elija cada uno junto a la parte que lo lleva.
+shirtdev-phones-no-number = “{ $given }” no es el número de ningún teléfono: escriba uno de 1 a { $most }
+shirtdev-phones-closed = Los teléfonos no se usan.
+# $late and $refused count what is left out; $delay is how late the newest one was.
+shirtdev-phones =
+    Teléfonos: envían { $sending } de { $placed }, { $sensors } sensores{ $refused ->
+        [0] {""}
+        [one] , { $refused } mensaje rechazado
+       *[other] , { $refused } mensajes rechazados
+    }{ $late ->
+        [0] {""}
+        [one] , { $late } mensaje tardío descartado (el último tardó { $delay } s más que el más rápido)
+       *[other] , { $late } mensajes tardíos descartados (el último tardó { $delay } s más que el más rápido)
+    }.
+# $phones is a list of numbers.
+shirtdev-phones-found = En ninguna parte del cuerpo: teléfono { $phones }. Elija cada uno junto a la parte que lo lleva.
+# In the next four, $parts is a list of parts of the body.
+shirtdev-sensors-silent = No envía: { $parts }. Encienda los sensores de ahí y compruebe su red.
+shirtdev-sensors-moving = Aún no en reposo: { $parts }. Quédese quieto un segundo, con los brazos caídos.
+shirtdev-sensors-drift = Deriva más de 2° por segundo: { $parts }. Deje el sensor apoyado un minuto o calíbrelo como indica su fabricante.
+shirtdev-sensors-battery = Batería casi agotada: { $parts }. Cárguela.
 
 ## Why frames are not used: each stands in brackets, behind what is left out.
 
