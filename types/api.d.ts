@@ -1095,7 +1095,7 @@ export interface paths {
             };
             requestBody: {
                 content: {
-                    "application/json": components["schemas"]["SimulatorConfig"] | components["schemas"]["ReplayConfig"] | components["schemas"]["UdpConfig"];
+                    "application/json": components["schemas"]["SimulatorConfig"] | components["schemas"]["ReplayConfig"] | components["schemas"]["UdpConfig"] | components["schemas"]["LslConfig"];
                 };
             };
             responses: {
@@ -5743,6 +5743,7 @@ export interface components {
             side: ("front" | "back") | null;
             ring: string | null;
             place: number | null;
+            unit: string | null;
         };
         ChannelLine: {
             name: string;
@@ -6727,6 +6728,21 @@ export interface components {
             entries: components["schemas"]["LogEntryView"][];
             has_more: boolean;
             people: string[];
+        };
+        LslConfig: {
+            /**
+             * @description discriminator enum property added by openapi-typescript
+             * @enum {string}
+             */
+            kind: "lsl";
+            name?: string | null;
+            source_id?: string | null;
+            type?: string | null;
+            host?: string | null;
+            /** @default 50 */
+            sample_rate?: number;
+            /** Format: layout */
+            layout?: components["schemas"]["ShirtLayout"] | null;
         };
         MachineView: {
             /** @enum {string} */
@@ -8127,6 +8143,7 @@ export type LiveMessage = components['schemas']['LiveMessage'];
 export type LogCheckView = components['schemas']['LogCheckView'];
 export type LogEntryView = components['schemas']['LogEntryView'];
 export type LogView = components['schemas']['LogView'];
+export type LslConfig = components['schemas']['LslConfig'];
 export type MachineView = components['schemas']['MachineView'];
 export type MadeBackupView = components['schemas']['MadeBackupView'];
 export type MadeShare = components['schemas']['MadeShare'];

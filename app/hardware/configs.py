@@ -9,7 +9,7 @@ from pydantic import Field
 
 from app.hardware.addresses import FilePlace, Host, SerialLine
 from app.hardware.chair.packet import PORT
-from app.hardware.shirt import replay, simulator, udp
+from app.hardware.shirt import lsl, replay, simulator, udp
 from app.hardware.shirt.kind import ShirtConfig, ShirtKind
 from app.quantities import Count, Document, Port, Title
 from app.speed_limits import Speeds
@@ -18,6 +18,7 @@ KINDS: tuple[ShirtKind[Any], ...] = (
     simulator.KIND,
     replay.KIND,
     udp.KIND,
+    lsl.KIND,
 )
 SHIRTS: Mapping[str, ShirtKind[Any]] = {kind.name: kind for kind in KINDS}
 """Every kind of shirt by its name."""

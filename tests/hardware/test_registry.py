@@ -60,6 +60,7 @@ def test_every_source_of_frames_declares_whether_it_may_arm_a_real_chair():
         "simulator": (Trust.NEVER, True),
         "replay": (Trust.NEVER, True),
         "udp": (Trust.WITH_KEY, False),
+        "lsl": (Trust.NEVER, False),
     }
     udp = {"kind": "udp", "layout": small_layout().model_dump(mode="json")}
     for document, why in (
@@ -67,6 +68,7 @@ def test_every_source_of_frames_declares_whether_it_may_arm_a_real_chair():
         ({"kind": "replay", "file": "a"}, NOBODY_WEARS_IT),
         (udp, NO_KEY),
         ({**udp, "key_file": "shirt-1.key"}, None),
+        ({"kind": "lsl"}, NOBODY_PROVES_IT),
     ):
         assert SHIRTS[document["kind"]].mistrust(parse_shirt(document)) == why
     assert "bodydrive shirt pair" in str(NO_KEY)

@@ -31,6 +31,7 @@ def test_every_source_declares_whether_it_is_simulated_and_has_its_words() -> No
         (Source(shirt="replay", body=None, chair="virtual", simulated=True),
          "Recorded signals, virtual chair: practice only"),
         (Source(shirt="udp", body=None, chair="udp", simulated=False), "Worn shirt, real chair"),
+        (Source(shirt="lsl", body=None, chair="virtual", simulated=False), "Signals over LSL, virtual chair"),
         (Source(shirt="new", body=None, chair="virtual", simulated=False), "Shirt of the kind 'new', virtual chair"),
         (UNKNOWN_SOURCE, "Shirt not recorded, chair not recorded"),
     ],

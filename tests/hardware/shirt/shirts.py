@@ -4,8 +4,10 @@ import socket
 
 import numpy as np
 from fake_clock import FakeClock
+from hardware.shirt.fake_lsl import FakeLsl
 
 from app.clock import MonotonicClock
+from app.hardware.shirt.lsl import LslConfig, LslShirt
 from app.hardware.shirt.packet import encode
 from app.hardware.shirt.replay import ReplayConfig, ReplayedShirt
 from app.hardware.shirt.simulator import SimulatedShirt, SimulatorConfig
@@ -81,4 +83,24 @@ class UdpCase:
         self.device.close()
 
 
-SHIRTS = (SimulatedCase, ReplayedCase, UdpCase)
+class LslCase:
+    """A stream of LSL, and the network that it comes from."""
+
+    def __init__(self, _tmp_path):
+        self.clock = FakeClock(50.0)
+        self.lsl = FakeLsl(self.clock)
+        self.sender = self.lsl.add_sender(rate=RATE, labels=small_layout().channel_names)
+        self.shirt = LslShirt(LslConfig(kind="lsl"), self.clock, lambda: self.lsl)
+        self.sent = 0
+
+    def let_come(self, count):
+        for _ in range(count):
+            t = self.sent / RATE
+            self.sender.send([self.sent % 1000, 1, 2], t, late=self.clock.now() - t)
+            self.sent += 1
+
+    def end(self):
+        """Do nothing: no other resource is held."""
+
+
+SHIRTS = (SimulatedCase, ReplayedCase, UdpCase, LslCase)

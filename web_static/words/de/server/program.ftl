@@ -29,6 +29,7 @@ names-person-taken = Es gibt schon eine Person mit dem Namen „{ $other }“, u
 source-shirt-simulator = Simuliertes Shirt
 source-shirt-replay = Aufgezeichnete Signale
 source-shirt-udp = Getragenes Shirt
+source-shirt-lsl = Signale über LSL
 source-shirt-unknown = Shirt nicht erfasst
 source-other-shirt = Shirt der Art „{ $kind }“
 source-body-person = simulierte Person

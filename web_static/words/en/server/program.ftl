@@ -29,6 +29,7 @@ names-person-taken = There is somebody called '{ $other }' already, and '{ $name
 source-shirt-simulator = Simulated shirt
 source-shirt-replay = Recorded signals
 source-shirt-udp = Worn shirt
+source-shirt-lsl = Signals over LSL
 source-shirt-unknown = Shirt not recorded
 source-other-shirt = Shirt of the kind '{ $kind }'
 source-body-person = simulated person

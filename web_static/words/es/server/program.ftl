@@ -29,6 +29,7 @@ names-person-taken = Ya hay una persona con el nombre “{ $other }”, y “{ $
 source-shirt-simulator = Camiseta simulada
 source-shirt-replay = Señales grabadas
 source-shirt-udp = Camiseta puesta
+source-shirt-lsl = Señales por LSL
 source-shirt-unknown = Sin datos de la camiseta
 source-other-shirt = Camiseta del tipo “{ $kind }”
 source-body-person = persona simulada
