@@ -8,16 +8,17 @@ from app.features.registration import Feature
 if TYPE_CHECKING:
     from collections.abc import Callable
 
+    from app.api.parts import Parts
     from app.features.registration import Background
+
+
+def night_backups(parts: "Parts", notify: "Callable[[str], None]") -> "Background":
+    """Return what makes the backup of every night."""
+    from app.features.backup.night_backups import NightBackups
     from app.settings import Settings
     from app.store.database import Database
 
-
-def night_backups(database: "Database", settings: "Settings", notify: "Callable[[str], None]") -> "Background":
-    """Return what makes the backup of every night."""
-    from app.features.backup.night_backups import NightBackups
-
-    return NightBackups(database, settings, notify)
+    return NightBackups(parts[Database], parts[Settings], notify)
 
 
 FEATURE: Final = Feature(

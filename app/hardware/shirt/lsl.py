@@ -20,7 +20,7 @@ from app.hardware.shirt.lsl_streams import (
     sought_of,
     streams_in,
 )
-from app.hardware.shirt.stream_join import GridRows, LedRows, Row, Rows, Sample, Track
+from app.hardware.shirt.stream_join import GridRows, LedRows, Row, Rows, Sample, StreamSamples
 from app.layout import ShirtLayout
 from app.lsl_library import LSL_MISSING, LslInfo, LslInlet, LslLibrary, load_lsl, lsl_ahead
 from app.messages import ALIVE, SensorFrame
@@ -108,10 +108,10 @@ class StreamSearch(threading.Thread):
 class ReceivedStream:
     """One stream as it is received: its samples, on this machine's LSL clock, and the search for it when it is lost."""
 
-    def __init__(self, lsl: LslLibrary, opened: OpenStream, track: Track, now: Callable[[], float]) -> None:
+    def __init__(self, lsl: LslLibrary, opened: OpenStream, samples: StreamSamples, now: Callable[[], float]) -> None:
         """`now` returns this machine's LSL time (s)."""
         self.facts = opened.facts
-        self.track = track
+        self.samples = samples
         self._lsl = lsl
         self._inlets = [opened.inlet]  # empty while the stream is lost
         self._correction = opened.correction
@@ -142,7 +142,7 @@ class ReceivedStream:
 
     def follow_search(self) -> None:
         """Search for the stream while it is lost or silent, and go on with what was found."""
-        is_silent = self.is_lost or (self.track.is_regular and self._now() - self._heard > SEARCH_AFTER)
+        is_silent = self.is_lost or (self.samples.is_regular and self._now() - self._heard > SEARCH_AFTER)
         if not is_silent:
             self.end_search()
         elif self._search is None:
@@ -185,7 +185,7 @@ class ReceivedStream:
     def _add(self, values: Iterable[float], stamp: float) -> None:
         self._heard = now = self._now()
         if math.isfinite(stamp):
-            self.track.add(Sample(stamp + self._correction, tuple(values), now))
+            self.samples.add(Sample(stamp + self._correction, tuple(values), now))
 
     def _drop(self) -> None:
         inlets, self._inlets = self._inlets, []
@@ -277,7 +277,7 @@ class LslShirt:
         lost = [stream.facts.text for stream in self._streams if stream.is_lost]
         if self._clock.now() - self._frame_t > ALIVE:
             return Text("shirtdev-lsl-silent", streams=[stream.facts.text for stream in self._streams])
-        age = self._lsl_time() - max(stream.track.newest for stream in self._streams)
+        age = self._lsl_time() - max(stream.samples.newest for stream in self._streams)
         return Text(
             "shirtdev-lsl",
             sensors=len(self.layout.channels),
@@ -319,10 +319,10 @@ class LslShirt:
             raise HardwareError(Text("shirtdev-lsl-rate", rate=round(fastest, 2), **limits))
         for stream in opened:
             rate = stream.facts.rate
-            track = Track(stream.facts.channels, rate or self._config.sample_rate, is_regular=rate > 0.0)
-            self._streams.append(ReceivedStream(lsl, stream, track, self._lsl_time))
-        tracks = [stream.track for stream in self._streams]
-        self._rows = LedRows(tracks, rates.index(fastest)) if fastest in rates else GridRows(tracks, fastest)
+            samples = StreamSamples(stream.facts.channels, rate or self._config.sample_rate, is_regular=rate > 0.0)
+            self._streams.append(ReceivedStream(lsl, stream, samples, self._lsl_time))
+        received = [stream.samples for stream in self._streams]
+        self._rows = LedRows(received, rates.index(fastest)) if fastest in rates else GridRows(received, fastest)
 
     def _next_row(self) -> Row | None:
         return None if self._rows is None else self._rows.next(self._lsl_time())

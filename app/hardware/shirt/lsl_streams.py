@@ -17,7 +17,7 @@ Sought = Mapping[Criterion, tuple[str, ...]]
 
 CRITERIA: Final[tuple[Criterion, ...]] = ("source_id", "name", "type", "host")
 MOST_NAMED: Final = 3  # streams in a sentence
-LONGEST_FACT: Final = 30  # characters of a stream's name or another fact, in a sentence
+LONGEST_FACT: Final = 40  # characters of a stream's name or another fact, in a sentence: room for a UUID
 LONGEST_NAME: Final = 50  # characters of a channel or joint; a number follows where two would be equal
 LONGEST_UNIT: Final = 16
 WHOLE: Final = "body"  # the joint of all channels, where their names give more joints than a layout may have
@@ -150,7 +150,7 @@ def _the_only(fitting: Sequence[StreamFacts], visible: Sequence[StreamFacts], so
     if len(fitting) == 1:
         return fitting[0]
     listed = [facts.text for facts in (fitting or visible)[:MOST_NAMED]]
-    values = [_printable(value) for values in sought.values() for value in values]
+    values = [_printable(value) for values in sought.values() for value in values][:MOST_NAMED]
     if fitting:
         raise HardwareError(Text("shirtdev-lsl-several", count=len(fitting), streams=listed))
     if not visible:

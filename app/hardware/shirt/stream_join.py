@@ -36,7 +36,7 @@ class Sample(NamedTuple):
     arrived: float  # s
 
 
-class Track:
+class StreamSamples:
     """The samples of one stream that no row has passed yet, and the newest sample before them."""
 
     def __init__(self, channels: int, rate: float, *, is_regular: bool) -> None:
@@ -123,18 +123,18 @@ class LedRows:
     together differ by less. A row waits at most PATIENCE for regular streams whose sample has not come yet.
     """
 
-    def __init__(self, tracks: Sequence[Track], leader: int) -> None:
-        """`leader` is the index of the leading stream in `tracks`."""
+    def __init__(self, streams: Sequence[StreamSamples], leader: int) -> None:
+        """`leader` is the index of the leading stream in `streams`."""
         self.lost = 0
-        self._tracks = tracks
+        self._streams = streams
         self._leader = leader
-        self._half = tracks[leader].period / 2.0 - 2.0 * ROUNDING
-        self._times = EvenTimes(tracks[leader].period)
+        self._half = streams[leader].period / 2.0 - 2.0 * ROUNDING
+        self._times = EvenTimes(streams[leader].period)
         self._seq = -1
 
     def next(self, now: float) -> Row | None:
         """Return the row of the leader's next sample at `now` (s), None while it has not come or waits."""
-        leader = self._tracks[self._leader]
+        leader = self._streams[self._leader]
         if not leader.waiting:
             return None
         sample = leader.waiting[0]
@@ -145,14 +145,14 @@ class LedRows:
         self.lost += steps - 1
         self._seq += steps if self._seq >= 0 else 1
         parts = (
-            sample.values if i == self._leader else track.at(sample.t, self._half)
-            for i, track in enumerate(self._tracks)
+            sample.values if i == self._leader else stream.at(sample.t, self._half)
+            for i, stream in enumerate(self._streams)
         )
         return Row(self._seq, self._times.t, _values(parts))
 
     def wait(self, now: float) -> tuple[int | None, float]:
         """Return whose next sample to wait for, and for how long (s)."""
-        leader = self._tracks[self._leader]
+        leader = self._streams[self._leader]
         if not leader.waiting:
             return self._leader, math.inf
         sample = leader.waiting[0]
@@ -161,8 +161,8 @@ class LedRows:
 
     def _awaited(self, sample: Sample) -> int | None:
         """Return another stream that the row of a sample of the leader waits for, None when all have come."""
-        for i, track in enumerate(self._tracks):
-            if i != self._leader and not track.is_complete(sample.t, self._half):
+        for i, stream in enumerate(self._streams):
+            if i != self._leader and not stream.is_complete(sample.t, self._half):
                 return i
         return None
 
@@ -173,10 +173,10 @@ class GridRows:
     Without a single fresh sample there is no row: the streams are silent.
     """
 
-    def __init__(self, tracks: Sequence[Track], rate: float) -> None:
+    def __init__(self, streams: Sequence[StreamSamples], rate: float) -> None:
         """`rate` in Hz."""
         self.lost = 0
-        self._tracks = tracks
+        self._streams = streams
         self._period = 1.0 / rate
         self._start = math.nan  # s
         self._seq = 0  # of the next row
@@ -184,7 +184,7 @@ class GridRows:
     def next(self, now: float) -> Row | None:
         """Return the row of the next point of the grid that has passed at `now` (s), None while there is none."""
         if math.isnan(self._start):
-            begun = [track.waiting[0].arrived for track in self._tracks if track.waiting]
+            begun = [stream.waiting[0].arrived for stream in self._streams if stream.waiting]
             if not begun:
                 return None
             self._start = min(begun)
@@ -194,7 +194,7 @@ class GridRows:
             self.lost += behind
         while (t := self._due) <= now + ROUNDING:
             seq, self._seq = self._seq, self._seq + 1
-            values = _values(track.at(t) for track in self._tracks)
+            values = _values(stream.at(t) for stream in self._streams)
             if not np.isnan(values).all():
                 return Row(seq, t, values)
             self.lost += 1

@@ -14,7 +14,7 @@ from app.hardware.shirt.lsl import LslConfig, LslShirt
 from app.hardware.shirt.stream_join import PATIENCE
 from app.layout import ShirtLayout
 from app.lsl_library import load_lsl, lsl_ahead
-from app.texts import LANGUAGES, reader_language
+from app.texts import LANGUAGES, from_document, reader_language, to_document
 
 PERIOD = 0.01  # s
 FOUND = 20.0  # s, long enough for a thread that finds a stream at once
@@ -306,7 +306,7 @@ def test_its_state_is_said_in_each_language(lsl, language):
         sentences.append(str(shirt.description()))
         sender.end()
         shirt.read(0.0)
-        sentences.append(str(shirt.description()))
+        sentences.append(str(from_document(to_document(shirt.description()))))
         shirt.close()
     assert len(set(sentences)) == 4
     assert all(sentence.endswith(".") and "{" not in sentence and "  " not in sentence for sentence in sentences)

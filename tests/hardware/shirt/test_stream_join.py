@@ -17,14 +17,14 @@ from app.hardware.shirt.stream_join import (
     GridRows,
     LedRows,
     Sample,
-    Track,
+    StreamSamples,
 )
 
 PERIOD = 0.01  # s
 
 
-def track(rate=100.0, channels=1, *, is_regular=True):
-    return Track(channels, rate, is_regular=is_regular)
+def stream(rate=100.0, channels=1, *, is_regular=True):
+    return StreamSamples(channels, rate, is_regular=is_regular)
 
 
 def put(one, t, *values, arrived=None):
@@ -99,7 +99,7 @@ def test_no_time_stamps_give_a_step_below_one_or_a_time_that_is_no_number(times)
 
 
 def test_each_sample_of_a_single_stream_is_a_row():
-    one = track(channels=2)
+    one = stream(channels=2)
     rows = LedRows([one], 0)
     assert rows.next(0.0) is None
     assert rows.wait(0.0) == (0, math.inf)
@@ -115,7 +115,7 @@ def test_each_sample_of_a_single_stream_is_a_row():
 
 
 def test_streams_that_are_sampled_together_are_joined_also_when_one_arrives_later():
-    fast, slow = track(100.0), track(50.0)
+    fast, slow = stream(100.0), stream(50.0)
     rows = LedRows([fast, slow], 0)
     put(fast, 0.0, 0)
     put(slow, 0.0, 100)
@@ -133,7 +133,7 @@ def test_streams_that_are_sampled_together_are_joined_also_when_one_arrives_late
 
 
 def test_a_row_waits_no_longer_than_its_patience_and_a_silent_stream_is_nan_after_three_periods():
-    lead, other = track(), track()
+    lead, other = stream(), stream()
     rows = LedRows([lead, other], 0)
     put(lead, 0.0, 0)
     put(other, 0.0, 50)
@@ -154,7 +154,7 @@ def test_a_row_waits_no_longer_than_its_patience_and_a_silent_stream_is_nan_afte
 
 
 def test_a_stream_without_a_rate_is_not_waited_for():
-    lead, other = track(), track(30.0, is_regular=False)
+    lead, other = stream(), stream(30.0, is_regular=False)
     rows = LedRows([lead, other], 0)
     put(other, 0.0, 5)
     for i in range(12):
@@ -166,7 +166,7 @@ def test_a_stream_without_a_rate_is_not_waited_for():
 
 
 def test_no_value_is_made_up_between_two_samples():
-    lead, other = track(100.0), track(70.0)
+    lead, other = stream(100.0), stream(70.0)
     rows = LedRows([lead, other], 0)
     for i in range(100):
         put(lead, i / 100.0, i)
@@ -180,7 +180,7 @@ def test_no_value_is_made_up_between_two_samples():
 
 
 def test_a_leader_that_is_silent_makes_no_rows_and_the_others_fill_no_memory():
-    lead, other = track(), track()
+    lead, other = stream(), stream()
     rows = LedRows([lead, other], 0)
     for i in range(3 * MOST_WAITING):
         put(other, i * PERIOD, i)
@@ -189,7 +189,7 @@ def test_a_leader_that_is_silent_makes_no_rows_and_the_others_fill_no_memory():
 
 
 def test_another_clock_begins_anew():
-    lead, other = track(), track()
+    lead, other = stream(), stream()
     rows = LedRows([lead, other], 0)
     put(other, 1e6, 1)
     put(lead, 1.0, 2)
@@ -198,7 +198,7 @@ def test_another_clock_begins_anew():
 
 
 def test_streams_without_a_rate_come_on_a_grid_by_their_newest_samples():
-    one, two = track(50.0, is_regular=False), track(50.0, is_regular=False)
+    one, two = stream(50.0, is_regular=False), stream(50.0, is_regular=False)
     rows = GridRows([one, two], 50.0)
     assert rows.next(10.0) is None
     put(one, 10.0, 1)
@@ -215,7 +215,7 @@ def test_streams_without_a_rate_come_on_a_grid_by_their_newest_samples():
 
 
 def test_on_a_grid_a_channel_without_a_sample_for_three_periods_is_nan_and_silence_makes_no_row():
-    one, two = track(50.0, is_regular=False), track(50.0, is_regular=False)
+    one, two = stream(50.0, is_regular=False), stream(50.0, is_regular=False)
     rows = GridRows([one, two], 50.0)
     put(one, 0.0, 1)
     put(two, 0.0, 2)
@@ -232,7 +232,7 @@ def test_on_a_grid_a_channel_without_a_sample_for_three_periods_is_nan_and_silen
 
 
 def test_after_a_long_hold_up_the_grid_goes_on_in_the_present():
-    one = track(50.0, is_regular=False)
+    one = stream(50.0, is_regular=False)
     rows = GridRows([one], 50.0)
     put(one, 0.0, 1)
     assert rows.next(0.0).seq == 0
@@ -248,7 +248,7 @@ def test_after_a_long_hold_up_the_grid_goes_on_in_the_present():
     step=st.floats(0.001, 0.3),
 )
 def test_rows_of_a_grid_are_even_in_order_and_hold_only_samples_that_had_come(arrivals, step):
-    one = track(50.0, is_regular=False)
+    one = stream(50.0, is_regular=False)
     rows = GridRows([one], 50.0)
     waiting = sorted(((t + late, t) for t, late in arrivals), reverse=True)
     now, found = 0.0, []
