@@ -5,11 +5,12 @@ from typing import Annotated, Final, Literal, Protocol, Self
 
 from pydantic import Field, model_validator
 
-from app.quantities import Document, Fraction, Name, Title
+from app.quantities import Document, Fraction, Line, Name, Title
 from app.texts import Text
 
 MAX_CHANNELS = 64
 MAX_JOINTS = 16
+Unit = Annotated[Line, Field(min_length=1, max_length=16)]
 MIN_RING = 3  # sensors: two look alike when they change places
 USUAL_JOINTS: Final[Mapping[str, tuple[Text, Text]]] = {
     "left_shoulder": (Text("joint-left-shoulder"), Text("joint-within-left-shoulder")),
@@ -48,9 +49,10 @@ class Channel(Document):
     joint: Name
     position: tuple[Fraction, Fraction] | None = None
     side: Literal["front", "back"] | None = None
-    # Left out where they are not set, so that layouts from before the rings keep their hash.
+    # Left out where they are not set, so that layouts from before keep their hash.
     ring: Name | None = Field(default=None, exclude_if=is_missing)
     place: Annotated[int, Field(strict=True, ge=0, lt=MAX_CHANNELS)] | None = Field(default=None, exclude_if=is_missing)
+    unit: Unit | None = Field(default=None, exclude_if=is_missing)  # of its values, where the device says it
 
 
 class Joint(Document):

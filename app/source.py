@@ -14,7 +14,7 @@ Kind = Annotated[str, Field(min_length=1, max_length=32)]
 SourceGroup = Literal["worn", "simulated", "unknown"]
 """Trials of different groups are never in one curve, one assessment or one warning."""
 
-NAMED_SHIRTS = frozenset({"simulator", "camera", "phones", "slimevr", "serial", "udp", "replay", UNKNOWN})
+NAMED_SHIRTS = frozenset({"simulator", "camera", "phones", "slimevr", "serial", "lsl", "udp", "replay", UNKNOWN})
 NAMED_BODIES = frozenset({"person", "visitor", "recorded"})
 NAMED_CHAIRS = frozenset({"virtual", "udp", UNKNOWN})
 

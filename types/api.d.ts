@@ -1095,7 +1095,7 @@ export interface paths {
             };
             requestBody: {
                 content: {
-                    "application/json": components["schemas"]["SimulatorConfig"] | components["schemas"]["CameraConfig"] | components["schemas"]["PhonesConfig"] | components["schemas"]["SlimeVrConfig"] | components["schemas"]["SerialConfig"] | components["schemas"]["UdpConfig"] | components["schemas"]["ReplayConfig"];
+                    "application/json": components["schemas"]["SimulatorConfig"] | components["schemas"]["CameraConfig"] | components["schemas"]["PhonesConfig"] | components["schemas"]["SlimeVrConfig"] | components["schemas"]["SerialConfig"] | components["schemas"]["LslConfig"] | components["schemas"]["UdpConfig"] | components["schemas"]["ReplayConfig"];
                 };
             };
             responses: {
@@ -5939,6 +5939,7 @@ export interface components {
             side: ("front" | "back") | null;
             ring: string | null;
             place: number | null;
+            unit: string | null;
         };
         ChannelLine: {
             name: string;
@@ -6931,6 +6932,21 @@ export interface components {
             entries: components["schemas"]["LogEntryView"][];
             has_more: boolean;
             people: string[];
+        };
+        LslConfig: {
+            /**
+             * @description discriminator enum property added by openapi-typescript
+             * @enum {string}
+             */
+            kind: "lsl";
+            name?: string | null;
+            source_id?: string | null;
+            type?: string | null;
+            host?: string | null;
+            /** @default 50 */
+            sample_rate?: number;
+            /** Format: layout */
+            layout?: components["schemas"]["ShirtLayout"] | null;
         };
         MachineView: {
             /** @enum {string} */
@@ -8501,6 +8517,7 @@ export type LiveMessage = components['schemas']['LiveMessage'];
 export type LogCheckView = components['schemas']['LogCheckView'];
 export type LogEntryView = components['schemas']['LogEntryView'];
 export type LogView = components['schemas']['LogView'];
+export type LslConfig = components['schemas']['LslConfig'];
 export type MachineView = components['schemas']['MachineView'];
 export type MadeBackupView = components['schemas']['MadeBackupView'];
 export type MadeShare = components['schemas']['MadeShare'];

@@ -135,7 +135,7 @@ def _add_what_runs(parts: Parts, start_process: StartProcess) -> None:
     flows = (feature.flow for feature in features().values() if feature.flow is not None)
     others = [make(database, control, runs, notify, computing) for make in flows]
     makers = (feature.background for feature in features().values() if feature.background is not None)
-    background = [make(database, settings, notify) for make in makers]
+    background = [make(parts, notify) for make in makers]
     parts.add(FeatureParts, FeatureParts(others, background))
     for part in (*others, *background):
         parts.add(type(part), part)

@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Annotated, Any, Literal
 from pydantic import Field
 
 from app.hardware.addresses import FilePlace, Host, SerialLine
-from app.hardware.shirt import camera, phones, replay, serial_line, simulator, slimevr, udp
+from app.hardware.shirt import camera, lsl, phones, replay, serial_line, simulator, slimevr, udp
 from app.hardware.shirt.kind import ShirtConfig, ShirtKind
 from app.ports import FREEPIE_PORT, OPENTRACK_PORT, RECEIVER_PORT
 from app.quantities import Count, Document, Port, Title
@@ -20,6 +20,7 @@ KINDS: tuple[ShirtKind[Any], ...] = (
     phones.KIND,
     slimevr.KIND,
     serial_line.KIND,
+    lsl.KIND,
     udp.KIND,
     replay.KIND,
 )

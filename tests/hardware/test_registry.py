@@ -64,6 +64,7 @@ def test_every_source_of_frames_declares_whether_it_may_arm_a_real_chair():
         "camera": (Trust.NEVER, False),
         "slimevr": (Trust.NEVER, False),
         "phones": (Trust.NEVER, False),
+        "lsl": (Trust.NEVER, False),
     }
     udp = {"kind": "udp", "layout": small_layout().model_dump(mode="json")}
     for document, why in (
@@ -75,6 +76,7 @@ def test_every_source_of_frames_declares_whether_it_may_arm_a_real_chair():
         ({"kind": "camera"}, NOBODY_PROVES_IT),
         ({"kind": "slimevr"}, NOBODY_PROVES_IT),
         ({"kind": "phones"}, NOBODY_PROVES_IT),
+        ({"kind": "lsl"}, NOBODY_PROVES_IT),
     ):
         assert SHIRTS[document["kind"]].mistrust(parse_shirt(document)) == why
     assert "bodydrive shirt pair" in str(NO_KEY)

@@ -99,6 +99,7 @@ HOME = {
     "cryptography": {"host", "features"},
     "pyrage": {"features"},
     "psutil": {"host"},
+    "pylsl": {LEAVES},
     "typst": {"features"},
 }
 

@@ -25,7 +25,9 @@ EXCEPTIONS: dict[str, tuple[str, ...]] = {
         "app.hardware.body.driver",
         "app.hardware.body.steering",
         "app.hardware.chair.telemetry",
+        "app.hardware.shirt.lsl_streams",
         "app.hardware.shirt.serial_bytes",
+        "app.hardware.shirt.stream_join",
         "app.host.authority",
         "app.pipeline.commands",
         "app.pipeline.movement_check",
@@ -57,6 +59,7 @@ EXCEPTIONS: dict[str, tuple[str, ...]] = {
     "what trackers send and are answered is judged without the socket that they come by": (
         "app.hardware.shirt.slimevr_trackers",
     ),
+    "what is sent over LSL is made of ticks apart from the thread that sends it": ("app.features.lsl.outlets",),
     "the control process passes ids on and loads no catalogue": ("app.fluent_catalogue",),
     "the map of one joint is fitted apart from what a profile makes of all joints": ("app.calibration.fit.joint_fit",),
     "the help of a command loads no library; what the command runs loads many": ("app.cli.study.study_runs",),

@@ -32,6 +32,7 @@ def test_every_source_declares_whether_it_is_simulated_and_has_its_words() -> No
          "Recorded signals, virtual chair: practice only"),
         (Source(shirt="udp", body=None, chair="udp", simulated=False), "Worn shirt, real chair"),
         (Source(shirt="serial", body=None, chair="udp", simulated=False), "Worn shirt on a cable, real chair"),
+        (Source(shirt="lsl", body=None, chair="virtual", simulated=False), "Signals over LSL, virtual chair"),
         (Source(shirt="new", body=None, chair="virtual", simulated=False), "Shirt of the kind 'new', virtual chair"),
         (UNKNOWN_SOURCE, "Shirt not recorded, chair not recorded"),
     ],

@@ -5,12 +5,14 @@ import socket
 import numpy as np
 from fake_clock import FakeClock
 from hardware.shirt.camera_page import CameraPage
+from hardware.shirt.fake_lsl import FakeLsl
 from hardware.shirt.phone_page import PhonePage
 from hardware.shirt.slime_tracker import SlimeTracker
 from hardware.shirt.wired_board import WiredBoard
 
 from app.clock import MonotonicClock
 from app.hardware.shirt.camera import CameraConfig, CameraShirt
+from app.hardware.shirt.lsl import LslConfig, LslShirt
 from app.hardware.shirt.orientation_frames import REST_TIME
 from app.hardware.shirt.packet import encode
 from app.hardware.shirt.phones import PhonesConfig, PhonesShirt
@@ -92,6 +94,26 @@ class UdpCase:
 
     def end(self):
         self.device.close()
+
+
+class LslCase:
+    """A stream of LSL, and the network that it comes from."""
+
+    def __init__(self, _tmp_path):
+        self.clock = FakeClock(50.0)
+        self.lsl = FakeLsl(self.clock)
+        self.sender = self.lsl.add_sender(rate=RATE, labels=small_layout().channel_names)
+        self.shirt = LslShirt(LslConfig(kind="lsl"), self.clock, lambda: self.lsl)
+        self.sent = 0
+
+    def let_come(self, count):
+        for _ in range(count):
+            t = self.sent / RATE
+            self.sender.send([self.sent % 1000, 1, 2], t, late=self.clock.now() - t)
+            self.sent += 1
+
+    def end(self):
+        """Do nothing: no other resource is held."""
 
 
 class FramesCase:
@@ -200,4 +222,14 @@ class PhonesCase:
         """Do nothing: no other resource is held."""
 
 
-SHIRTS = (SimulatedCase, CameraCase, PhonesCase, SlimeVrCase, FramesCase, LinesCase, UdpCase, ReplayedCase)
+SHIRTS = (
+    SimulatedCase,
+    CameraCase,
+    PhonesCase,
+    SlimeVrCase,
+    FramesCase,
+    LinesCase,
+    LslCase,
+    UdpCase,
+    ReplayedCase,
+)

@@ -99,6 +99,20 @@ def test_a_form_shows_the_configuration_in_use_and_keeps_what_is_not_shown(drawn
     assert BandConfig.model_validate(page["after"]) == now.model_copy(update={"offset": None})
 
 
+def test_a_device_that_describes_its_channels_needs_no_layout_and_keeps_one_that_was_brought(
+    drawn: Callable[..., Any],
+) -> None:
+    lsl, layout = SHIRTS["lsl"], standard_layout().model_dump(mode="json")
+    new = drawn(lsl, {"layout": layout}, **{"Source ID": "arm-1, arm-2"})  # another shirt is in use
+    assert [field["label"] for field in new["shown"]][:2] == ["Name of the stream", "Source ID"]
+    assert lsl.config.model_validate(new["before"]) == lsl.config(kind="lsl")
+    assert lsl.config.model_validate(new["after"]) == lsl.config(kind="lsl", source_id="arm-1, arm-2")
+    now = lsl.config(kind="lsl", name="Arm", layout=small_layout())
+    page = drawn(lsl, {"layout": layout, "now": now.model_dump(mode="json")})
+    assert lsl.config.model_validate(page["before"]) == now
+    assert page["in_use"] == "LSL streams"
+
+
 def test_two_sensors_of_the_simulated_shirt_can_be_dead(drawn: Callable[..., Any]) -> None:
     simulator = SHIRTS["simulator"]
     layout = standard_layout().model_dump(mode="json")

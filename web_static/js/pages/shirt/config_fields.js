@@ -197,14 +197,19 @@ function tracker({ title = "", description }, value, { found }) {
   return { element: h(Sensor, {}), isNarrow: true, read: () => chosen || null };
 }
 
-/** A layout out of a file; without one the layout in use, and without that the kind's own. @type {Maker} */
-function layoutFile({ title = "", description }, _value, { layout }) {
+/**
+ * A layout out of a file. Without one: of a kind whose device describes its channels, what the configuration in use has;
+ * of others the layout in use, and without that the kind's own. @type {Maker}
+ */
+function layoutFile(schema, value, { layout }) {
+  const { title = "", description } = schema;
   /** @type {File | undefined} */
   let file;
   const onChange = (/** @type {Event} */ { currentTarget }) =>
     void (file = /** @type {HTMLInputElement} */ (currentTarget).files?.[0]);
   const input = h("input", { type: "file", accept: ".json,application/json", onChange });
-  const read = async () => (file ? readDocument(file) : (layout.peek() ?? undefined));
+  const kept = () => (isOptional(schema) ? (value ?? null) : (layout.peek() ?? undefined));
+  const read = async () => (file ? readDocument(file) : kept());
   return { element: h(Field, { label: title, hint: description }, input), read };
 }
 

@@ -21,6 +21,7 @@ cli-help-serve-certificate = Ein eigenes Zertifikat für --lan: eine PEM-Datei m
 cli-help-serve-key = Der private Schlüssel dieses Zertifikats: eine PEM-Datei.
 cli-help-serve-behind-proxy = Die Adresse des Reverse-Proxys der Klinik, des einzigen Zugangs; braucht --name.
 cli-help-serve-name = Der Name, oder NAME:PORT, unter dem Browser den Proxy erreichen.
+cli-help-serve-lsl = Fahrbefehle, Gesten und Marker über LSL an LabRecorder senden; jeder im Netz kann sie lesen.
 
 ## check and service
 

@@ -33,6 +33,7 @@ source-shirt-udp = Getragenes Shirt
 source-shirt-slimevr = Getragene Tracker
 source-shirt-camera = Kamera
 source-shirt-phones = Getragene Telefone
+source-shirt-lsl = Signale über LSL
 source-shirt-unknown = Shirt nicht erfasst
 source-other-shirt = Shirt der Art „{ $kind }“
 source-body-person = simulierte Person

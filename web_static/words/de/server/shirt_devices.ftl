@@ -72,6 +72,20 @@ shirtdev-camera-title = Eine Kamera
 shirtdev-camera-about = Die Kamera eines Tablets, Laptops oder Telefons folgt dem Oberkörper; niemand trägt etwas. Ihr Bild bleibt im Browser. Sie gibt keinen echten Rollstuhl frei.
 shirtdev-camera-in-use = Kamera, { $rate } Datenpakete pro Sekunde
 shirtdev-camera-rate-hint = Wählen Sie weniger, wenn das Gerät nicht mitkommt.
+# LSL is the Lab Streaming Layer, a network protocol of laboratories.
+shirtdev-lsl-title = Datenströme des Lab Streaming Layer
+shirtdev-lsl-about = LSL: Verstärker, Bewegungserfassung und andere Geräte eines Labors.
+shirtdev-lsl-in-use = LSL-Datenströme
+shirtdev-lsl-name = Name des Datenstroms
+shirtdev-lsl-name-hint = Lassen Sie leer, was keine Rolle spielt. Mehrere Werte, durch Kommas getrennt, verbinden ebenso viele Datenströme.
+# What names the device that sends the stream.
+shirtdev-lsl-source = Quellen-ID
+# The kind of what the stream contains, such as EEG or MoCap.
+shirtdev-lsl-type = Typ
+# The computer that sends the stream.
+shirtdev-lsl-host = Rechner
+shirtdev-lsl-rate-hint = Gilt nur für Datenströme ohne eigene Rate.
+shirtdev-lsl-layout-hint = Eine JSON-Datei, die die Sensoren benennt. Ohne Datei gelten die Namen der Datenströme.
 
 ## Why a shirt may not drive a real chair.
 
@@ -245,6 +259,42 @@ shirtdev-camera =
         [0] {""}
         [one] , { $late } verspätetes Bild ausgelassen
        *[other] , { $late } verspätete Bilder ausgelassen
+    }.
+
+shirtdev-lsl-no-library = LSL ist nicht vollständig installiert; installieren Sie die Pakete pylsl und liblsl, und versuchen Sie es noch einmal
+# One stream, in a sentence that lists several. $type, $source (its source ID) and $host can be 'none'.
+shirtdev-lsl-stream =
+    { $name } ({ $source ->
+        [none] {""}
+       *[other] Quellen-ID { $source },{" "}
+    }{ $type ->
+        [none] {""}
+       *[other] Typ { $type },{" "}
+    }Rechner { $host })
+shirtdev-lsl-nothing = in diesem Netz ist kein LSL-Datenstrom aus Zahlen; starten Sie das Programm, das ihn sendet, und erlauben Sie UDP und TCP von Port 16571 bis 16604
+# $sought is a list of what was entered, $streams one of streams.
+shirtdev-lsl-none = kein LSL-Datenstrom passt zu { $sought }, vorhanden: { $streams }; korrigieren Sie die Angaben, oder starten Sie das Programm, das ihn sendet
+shirtdev-lsl-several = { $count } LSL-Datenströme passen, darunter { $streams }; geben Sie Quellen-ID oder Rechner von einem ein, oder mehrere Quellen-IDs mit Kommas dazwischen, um diese Datenströme zu verbinden
+shirtdev-lsl-no-answer = der LSL-Datenstrom { $stream } antwortet nicht; erlauben Sie UDP und TCP von Port 16572 bis 16604 zwischen beiden Rechnern
+shirtdev-lsl-channels = die LSL-Datenströme haben zusammen { $channels } Kanäle, höchstens { $most } lassen sich verwenden; wählen Sie weniger Datenströme
+shirtdev-lsl-misfit =
+    die LSL-Datenströme haben { $channels ->
+        [one] { $channels } Kanal
+       *[other] { $channels } Kanäle
+    } und das Layout { $named }; wählen Sie ein anderes Layout oder keines
+shirtdev-lsl-rate = der schnellste LSL-Datenstrom hat { $rate } Werte pro Sekunde, verwenden lassen sich { $low } bis { $high }; wählen Sie einen anderen
+shirtdev-lsl-closed = Kein LSL-Datenstrom ist offen.
+# $streams is a list of streams.
+shirtdev-lsl-silent = Keine Werte von { $streams }.
+# $age is how long ago the newest sample was measured, $gone a list of streams whose senders have ended.
+shirtdev-lsl =
+    LSL-Datenströme, { $sensors } Sensoren mit { $rate } Hz, { $age } ms alt{ $lost ->
+        [0] {""}
+        [one] , { $lost } Datenpaket verloren
+       *[other] , { $lost } Datenpakete verloren
+    }{ $gone ->
+        [none] {""}
+       *[other] ; nichts kommt mehr von { $gone }
     }.
 
 # So that no old frame drives, the number of the newest one is stored in a file.

@@ -21,6 +21,7 @@ cli-help-serve-certificate = A certificate of your own for --lan: a PEM file, wi
 cli-help-serve-key = The private key of that certificate: a PEM file.
 cli-help-serve-behind-proxy = The address of the clinic's own reverse proxy, the only way in; needs --name.
 cli-help-serve-name = The name, or NAME:PORT, by which browsers reach the proxy.
+cli-help-serve-lsl = Send commands, gestures and markers to LabRecorder over LSL; everybody on the network can read them.
 
 ## check and service
 

@@ -33,6 +33,7 @@ source-shirt-udp = Worn shirt
 source-shirt-slimevr = Worn trackers
 source-shirt-camera = Camera
 source-shirt-phones = Worn phones
+source-shirt-lsl = Signals over LSL
 source-shirt-unknown = Shirt not recorded
 source-other-shirt = Shirt of the kind '{ $kind }'
 source-body-person = simulated person

@@ -72,6 +72,20 @@ shirtdev-camera-title = A camera
 shirtdev-camera-about = The camera of a tablet, laptop or phone follows the upper body; nobody wears anything. Its picture stays in the browser. It arms no real chair.
 shirtdev-camera-in-use = Camera, { $rate } frames a second
 shirtdev-camera-rate-hint = Choose fewer where the device does not keep up.
+# LSL is the Lab Streaming Layer, a network protocol of laboratories.
+shirtdev-lsl-title = Streams of the Lab Streaming Layer
+shirtdev-lsl-about = LSL: amplifiers, motion capture and other devices of a laboratory.
+shirtdev-lsl-in-use = LSL streams
+shirtdev-lsl-name = Name of the stream
+shirtdev-lsl-name-hint = Leave empty what does not matter. Several values, separated by commas, join as many streams.
+# What names the device that sends the stream.
+shirtdev-lsl-source = Source ID
+# The kind of what the stream contains, such as EEG or MoCap.
+shirtdev-lsl-type = Type
+# The computer that sends the stream.
+shirtdev-lsl-host = Computer
+shirtdev-lsl-rate-hint = Counts only for streams that have no rate of their own.
+shirtdev-lsl-layout-hint = A JSON file that names the sensors. Without one, the streams name them.
 
 ## Why a shirt may not drive a real chair.
 
@@ -245,6 +259,42 @@ shirtdev-camera =
         [0] {""}
         [one] , { $late } late picture left out
        *[other] , { $late } late pictures left out
+    }.
+
+shirtdev-lsl-no-library = LSL is not installed completely: install the packages pylsl and liblsl, then try again
+# One stream, in a sentence that lists several. $type, $source (its source ID) and $host can be 'none'.
+shirtdev-lsl-stream =
+    { $name } ({ $source ->
+        [none] {""}
+       *[other] source ID { $source },{" "}
+    }{ $type ->
+        [none] {""}
+       *[other] type { $type },{" "}
+    }computer { $host })
+shirtdev-lsl-nothing = no LSL stream of numbers is on this network: start the program that sends it, and permit UDP and TCP from port 16571 to 16604
+# $sought is a list of what was entered, $streams one of streams.
+shirtdev-lsl-none = no LSL stream fits { $sought }, the network has { $streams }: correct what the stream must be, or start the program that sends it
+shirtdev-lsl-several = { $count } LSL streams fit, such as { $streams }: enter the source ID or the computer of one, or several source IDs with commas between them to join these streams
+shirtdev-lsl-no-answer = the LSL stream { $stream } does not answer: permit UDP and TCP from port 16572 to 16604 between both computers
+shirtdev-lsl-channels = the LSL streams have { $channels } channels together, at most { $most } can be used: choose fewer streams
+shirtdev-lsl-misfit =
+    { $channels ->
+        [one] the LSL streams have { $channels } channel and the layout { $named }: bring another layout, or none
+       *[other] the LSL streams have { $channels } channels and the layout { $named }: bring another layout, or none
+    }
+shirtdev-lsl-rate = the fastest LSL stream has { $rate } samples a second, { $low } to { $high } can be used: choose another one
+shirtdev-lsl-closed = No LSL stream is open.
+# $streams is a list of streams.
+shirtdev-lsl-silent = No samples from { $streams }.
+# $age is how long ago the newest sample was measured, $gone a list of streams whose senders have ended.
+shirtdev-lsl =
+    LSL streams, { $sensors } sensors at { $rate } Hz, { $age } ms old{ $lost ->
+        [0] {""}
+        [one] , { $lost } frame lost
+       *[other] , { $lost } frames lost
+    }{ $gone ->
+        [none] {""}
+       *[other] ; nothing more comes from { $gone }
     }.
 
 # So that no old frame drives, the number of the newest one is stored in a file.

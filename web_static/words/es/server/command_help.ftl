@@ -21,6 +21,7 @@ cli-help-serve-certificate = Un certificado propio para --lan: un archivo PEM, c
 cli-help-serve-key = La clave privada de ese certificado: un archivo PEM.
 cli-help-serve-behind-proxy = La dirección del proxy inverso de la clínica, la única entrada; necesita --name.
 cli-help-serve-name = El nombre, o NAME:PORT, con el que los navegadores llegan al proxy.
+cli-help-serve-lsl = Enviar comandos, gestos y marcas a LabRecorder por LSL; cualquiera en la red puede leerlos.
 
 ## check and service
 

@@ -33,6 +33,7 @@ source-shirt-udp = Camiseta puesta
 source-shirt-slimevr = Rastreadores puestos
 source-shirt-camera = Cámara
 source-shirt-phones = Teléfonos puestos
+source-shirt-lsl = Señales por LSL
 source-shirt-unknown = Sin datos de la camiseta
 source-other-shirt = Camiseta del tipo “{ $kind }”
 source-body-person = persona simulada

@@ -72,6 +72,20 @@ shirtdev-camera-title = Una cámara
 shirtdev-camera-about = La cámara de una tableta, un portátil o un teléfono sigue la parte superior del cuerpo; nadie lleva nada puesto. Su imagen se queda en el navegador. No habilita ninguna silla real.
 shirtdev-camera-in-use = Cámara, { $rate } muestras por segundo
 shirtdev-camera-rate-hint = Elija menos si el dispositivo no llega a tiempo.
+# LSL is the Lab Streaming Layer, a network protocol of laboratories.
+shirtdev-lsl-title = Flujos de Lab Streaming Layer
+shirtdev-lsl-about = LSL: amplificadores, captura de movimiento y otros dispositivos de un laboratorio.
+shirtdev-lsl-in-use = Flujos de LSL
+shirtdev-lsl-name = Nombre del flujo
+shirtdev-lsl-name-hint = Deje vacío lo que no importe. Varios valores, separados por comas, unen otros tantos flujos.
+# What names the device that sends the stream.
+shirtdev-lsl-source = Identificador del origen
+# The kind of what the stream contains, such as EEG or MoCap.
+shirtdev-lsl-type = Tipo
+# The computer that sends the stream.
+shirtdev-lsl-host = Equipo
+shirtdev-lsl-rate-hint = Solo cuenta para flujos sin frecuencia propia.
+shirtdev-lsl-layout-hint = Un archivo JSON que nombra los sensores. Sin él, los nombran los flujos.
 
 ## Why a shirt may not drive a real chair.
 
@@ -241,6 +255,38 @@ shirtdev-camera =
         [0] {""}
         [one] , { $late } imagen tardía omitida
        *[other] , { $late } imágenes tardías omitidas
+    }.
+
+shirtdev-lsl-no-library = LSL no está instalado por completo: instale los paquetes pylsl y liblsl y pruebe otra vez
+# One stream, in a sentence that lists several. $type, $source (its source ID) and $host can be 'none'.
+shirtdev-lsl-stream =
+    { $name } ({ $source ->
+        [none] {""}
+       *[other] origen { $source },{" "}
+    }{ $type ->
+        [none] {""}
+       *[other] tipo { $type },{" "}
+    }equipo { $host })
+shirtdev-lsl-nothing = en esta red no hay ningún flujo de LSL con números: ponga en marcha el programa que lo envía y permita UDP y TCP del puerto 16571 al 16604
+# $sought is a list of what was entered, $streams one of streams.
+shirtdev-lsl-none = ningún flujo de LSL corresponde a { $sought }, hay { $streams }: corrija los datos o ponga en marcha el programa que lo envía
+shirtdev-lsl-several = corresponden { $count } flujos de LSL, como { $streams }: escriba el identificador del origen o el equipo de uno, o varios identificadores separados por comas para unir esos flujos
+shirtdev-lsl-no-answer = el flujo de LSL { $stream } no responde: permita UDP y TCP del puerto 16572 al 16604 entre ambos equipos
+shirtdev-lsl-channels = los flujos de LSL tienen { $channels } canales en total y se pueden usar { $most } como máximo: elija menos flujos
+shirtdev-lsl-misfit = el número de canales es { $channels } en los flujos de LSL y { $named } en la disposición: elija otra disposición o ninguna
+shirtdev-lsl-rate = el flujo de LSL más rápido tiene { $rate } muestras por segundo y se pueden usar de { $low } a { $high }: elija otro
+shirtdev-lsl-closed = Ningún flujo de LSL está abierto.
+# $streams is a list of streams.
+shirtdev-lsl-silent = No llegan muestras de { $streams }.
+# $age is how long ago the newest sample was measured, $gone a list of streams whose senders have ended.
+shirtdev-lsl =
+    Flujos de LSL, { $sensors } sensores a { $rate } Hz, con { $age } ms de retraso{ $lost ->
+        [0] {""}
+        [one] , { $lost } muestra perdida
+       *[other] , { $lost } muestras perdidas
+    }{ $gone ->
+        [none] {""}
+       *[other] ; ya no llega nada de { $gone }
     }.
 
 # So that no old frame drives, the number of the newest one is stored in a file.

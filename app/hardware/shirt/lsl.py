@@ -1,0 +1,375 @@
+"""Streams of the Lab Streaming Layer as a shirt: one, or several that are joined by their clocks."""
+
+import math
+import threading
+from collections.abc import Callable, Iterable
+from contextlib import suppress
+from typing import Annotated, Any, Literal, NamedTuple
+
+from pydantic import Field
+
+from app.clock import Clock
+from app.hardware.base import HardwareError
+from app.hardware.shirt.kind import FieldTexts, ShirtConfig, ShirtKind, Trust, page_texts
+from app.hardware.shirt.lsl_streams import (
+    CRITERIA,
+    StreamFacts,
+    channels_of,
+    chosen_streams,
+    layout_of,
+    sought_of,
+    streams_in,
+)
+from app.hardware.shirt.stream_join import GridRows, LedRows, Row, Rows, Sample, StreamSamples
+from app.layout import ShirtLayout
+from app.lsl_library import LSL_MISSING, LslInfo, LslInlet, LslLibrary, load_lsl, lsl_ahead
+from app.messages import ALIVE, SensorFrame
+from app.quantities import Hertz, Line
+from app.texts import Figure, Text
+
+LOOK = 1.0  # s for which streams may answer a look for them
+LOOKS = 2  # at the opening
+ANSWER = 1.5  # s for which a chosen stream may take to each answer
+LOOK_AGAIN = 0.5  # s between two looks for a lost stream
+SEARCH_AFTER = 2.0  # s of silence of a regular stream, after which it may have been started again
+BUFFER = 10  # s of samples that liblsl keeps while the loop is held up; of a stream without a rate 1,000 samples
+AT_ONCE = 256  # samples that are taken over in one call
+SETTLE_EVERY = 1.0  # s between two readings of the clocks' differences
+LOWEST_RATE, HIGHEST_RATE = 10.0, 2000.0  # Hz
+
+SoughtText = Annotated[Line, Field(min_length=1, max_length=200)] | None
+
+
+class LslConfig(ShirtConfig):
+    """Streams of the Lab Streaming Layer, such as of an amplifier or of motion capture."""
+
+    model_config = page_texts(
+        Text("shirtdev-lsl-title"), about=Text("shirtdev-lsl-about"), in_use=Text("shirtdev-lsl-in-use")
+    )
+
+    kind: Literal["lsl"]
+    # What the stream must have; of several values, between commas, each names a stream. None: anything.
+    name: Annotated[SoughtText, FieldTexts(Text("shirtdev-lsl-name"), Text("shirtdev-lsl-name-hint"))] = None
+    source_id: Annotated[SoughtText, FieldTexts(Text("shirtdev-lsl-source"))] = None
+    type: Annotated[SoughtText, FieldTexts(Text("shirtdev-lsl-type"))] = None
+    host: Annotated[SoughtText, FieldTexts(Text("shirtdev-lsl-host"))] = None
+    sample_rate: Annotated[
+        Hertz,
+        Field(ge=LOWEST_RATE, le=HIGHEST_RATE),
+        FieldTexts(Text("shirtdev-rate"), Text("shirtdev-lsl-rate-hint")),
+    ] = 50.0
+    layout: Annotated[
+        ShirtLayout | None,
+        Field(json_schema_extra={"format": "layout"}),
+        FieldTexts(Text("shirtdev-layout"), Text("shirtdev-lsl-layout-hint")),
+    ] = None  # None: the layout that the streams describe
+
+
+class OpenStream(NamedTuple):
+    """A stream that is received."""
+
+    facts: StreamFacts
+    inlet: LslInlet
+    info: LslInfo
+    correction: float  # s: added to the sender's time stamps, it gives this machine's LSL clock
+
+
+class StreamSearch(threading.Thread):
+    """Looks for a stream that was started again, and opens it, so that the loop never waits for the network.
+
+    Only a stream from the same machine with equal facts counts, and only while there is one such stream.
+    """
+
+    def __init__(self, lsl: LslLibrary, facts: StreamFacts) -> None:
+        super().__init__(name="LSL search", daemon=True)
+        self.found: list[OpenStream] = []  # one, once it is open
+        self._lsl = lsl
+        self._facts = facts
+        self._given_up = threading.Event()
+
+    def run(self) -> None:
+        """Look until the stream is found, or nobody wants it any more."""
+        while not self._given_up.is_set():
+            try:
+                visible = streams_in(self._lsl, self._lsl.resolve_streams(LOOK))
+                restarts = [facts for facts in visible if facts.is_restart_of(self._facts)]
+                if len(restarts) == 1:
+                    self.found.append(opened_stream(self._lsl, restarts[0], visible[restarts[0]]))
+                    return
+            except RuntimeError:
+                pass  # lost again meanwhile
+            self._given_up.wait(LOOK_AGAIN)
+
+    def give_up(self) -> None:
+        """Look no more."""
+        self._given_up.set()
+
+
+class ReceivedStream:
+    """One stream as it is received: its samples, on this machine's LSL clock, and the search for it when it is lost."""
+
+    def __init__(self, lsl: LslLibrary, opened: OpenStream, samples: StreamSamples, now: Callable[[], float]) -> None:
+        """`now` returns this machine's LSL time (s)."""
+        self.facts = opened.facts
+        self.samples = samples
+        self._lsl = lsl
+        self._inlets = [opened.inlet]  # empty while the stream is lost
+        self._correction = opened.correction
+        self._now = now
+        self._heard = now()  # s, when the newest sample came
+        self._search: StreamSearch | None = None
+
+    @property
+    def is_lost(self) -> bool:
+        """Whether its sender has ended, and was not found again."""
+        return not self._inlets
+
+    @property
+    def may_have_more(self) -> bool:
+        """Whether a sample seems to have come."""
+        return any(inlet.samples_available() > 0 for inlet in self._inlets)
+
+    def take(self, wait: float = 0.0) -> None:
+        """Take over the samples that have come; with `wait` (s), wait that long for the next one."""
+        if self._inlets and not self._pull(self._inlets[0], wait):
+            self._drop()
+
+    def settle(self) -> None:
+        """Read anew by how much the sender's clock differs, if that was measured again."""
+        for inlet in self._inlets:
+            with suppress(RuntimeError):
+                self._correction = inlet.time_correction(0.0)
+
+    def follow_search(self) -> None:
+        """Search for the stream while it is lost or silent, and go on with what was found."""
+        is_silent = self.is_lost or (self.samples.is_regular and self._now() - self._heard > SEARCH_AFTER)
+        if not is_silent:
+            self.end_search()
+        elif self._search is None:
+            self._search = StreamSearch(self._lsl, self.facts)
+            self._search.start()
+        elif self._search.found:
+            (found,) = self._search.found
+            self._search.found.clear()
+            self._search = None
+            self._drop()
+            self.facts, self._correction, self._heard = found.facts, found.correction, self._now()
+            self._inlets = [found.inlet]
+
+    def end_search(self) -> None:
+        """Search no more."""
+        search, self._search = self._search, None
+        if search is not None:
+            search.give_up()
+            end(search.found)
+
+    def close(self) -> None:
+        """Receive no more."""
+        self.end_search()
+        self._drop()
+
+    def _pull(self, inlet: LslInlet, wait: float) -> bool:
+        """Take over samples of the inlet; False when its sender has ended."""
+        try:
+            if wait > 0.0:
+                values, stamp = inlet.pull_sample(wait)
+                if values is None or stamp is None:
+                    return True
+                self._add(values, stamp)
+            for values, stamp in zip(*inlet.pull_chunk(0.0, AT_ONCE), strict=True):
+                self._add(values, stamp)
+        except RuntimeError:
+            return False
+        return True
+
+    def _add(self, values: Iterable[float], stamp: float) -> None:
+        self._heard = now = self._now()
+        if math.isfinite(stamp):
+            self.samples.add(Sample(stamp + self._correction, tuple(values), now))
+
+    def _drop(self) -> None:
+        inlets, self._inlets = self._inlets, []
+        end(inlets)
+
+
+class LslShirt:
+    """Receives the streams that people chose; each row of all their channels is a frame.
+
+    The fastest regular stream leads, and each of its samples makes a frame. Streams without a rate alone are put on a
+    grid. A stream that is lost is looked for, and goes on with its next start on the same machine.
+    """
+
+    def __init__(self, config: LslConfig, clock: Clock, load: Callable[[], LslLibrary] = load_lsl) -> None:
+        self.sample_rate = config.sample_rate
+        self._config = config
+        self._clock = clock
+        self._load = load
+        self._layout = config.layout
+        self._lsl: LslLibrary | None = None
+        self._streams: list[ReceivedStream] = []
+        self._rows: Rows | None = None
+        self._ahead = 0.0  # s by which LSL's clock is ahead of `clock`
+        self._settle_at = 0.0  # s
+        self._frame_t = -math.inf  # s
+
+    @property
+    def layout(self) -> ShirtLayout:
+        """Names and joints of the channels: of the configuration, or as the streams describe them once open."""
+        if self._layout is None:
+            raise HardwareError(Text("shirtdev-lsl-closed"))
+        return self._layout
+
+    @property
+    def lost(self) -> int:
+        """Frames that are missing by the times of the samples since the shirt was opened."""
+        return 0 if self._rows is None else self._rows.lost
+
+    def open(self) -> None:
+        """Look for the streams and open them.
+
+        Raises
+        ------
+        HardwareError
+            When they are not there, several fit, one does not answer, or they do not fit the layout.
+        """
+        self.close()
+        try:
+            lsl = self._lsl = self._load()
+        except LSL_MISSING as error:
+            raise HardwareError(Text("shirtdev-lsl-no-library")) from error
+        opened = [self._opened(lsl, facts, info) for facts, info in self._chosen(lsl)]
+        described = layout_of([(stream.facts, channels_of(stream.info)) for stream in opened])
+        self._layout = self._config.layout or described
+        count, named = len(described.channels), len(self._layout.channels)
+        if count != named:
+            raise HardwareError(Text("shirtdev-lsl-misfit", channels=count, named=named))
+        self._settle(lsl)
+        self._frame_t = -math.inf
+        self._begin(lsl, opened)
+
+    def read(self, timeout: float) -> SensorFrame | None:
+        """Return the next frame, waiting for it at most `timeout` (s)."""
+        deadline, wait = self._clock.now() + timeout, 0.0
+        while True:
+            row = self._next_row()
+            if row is None:
+                self._receive(wait)
+                row = self._next_row()
+            now = self._clock.now()
+            if row is not None:
+                self._frame_t = now
+                return SensorFrame(row.seq & 0xFFFFFFFF, row.t, now, row.values)
+            if now >= deadline:
+                return None
+            wait = deadline - now
+
+    def pending(self) -> bool:
+        """Return whether another frame seems to have arrived already."""
+        if self._rows is None:
+            return False
+        stream, wait = self._rows.wait(self._lsl_time())
+        return wait <= 0.0 if stream is None else self._streams[stream].may_have_more
+
+    def description(self) -> Text:
+        """Return the shirt's state in words."""
+        if self._rows is None:
+            return Text("shirtdev-lsl-closed")
+        lost = [stream.facts.text for stream in self._streams if stream.is_lost]
+        if self._clock.now() - self._frame_t > ALIVE:
+            return Text("shirtdev-lsl-silent", streams=[stream.facts.text for stream in self._streams])
+        age = self._lsl_time() - max(stream.samples.newest for stream in self._streams)
+        return Text(
+            "shirtdev-lsl",
+            sensors=len(self.layout.channels),
+            rate=round(self.sample_rate, 2),
+            age=Figure(max(0.0, 1000.0 * age)),
+            lost=self.lost,
+            gone=lost or "none",
+        )
+
+    def close(self) -> None:
+        """Release the streams; closing twice does no harm."""
+        streams, self._streams, self._rows = self._streams, [], None
+        for stream in streams:
+            stream.close()
+
+    def _chosen(self, lsl: LslLibrary, looks: int = LOOKS) -> list[tuple[StreamFacts, LslInfo]]:
+        """Return the streams that people seek; HardwareError when it is not clear which they are."""
+        sought = sought_of({name: getattr(self._config, name) for name in CRITERIA})
+        visible = streams_in(lsl, lsl.resolve_streams(LOOK))
+        try:
+            return [(facts, visible[facts]) for facts in chosen_streams(sorted(visible), sought)]
+        except HardwareError:
+            if looks == 1:
+                raise
+        return self._chosen(lsl, looks - 1)
+
+    def _opened(self, lsl: LslLibrary, facts: StreamFacts, info: LslInfo) -> OpenStream:
+        try:
+            return opened_stream(lsl, facts, info)
+        except RuntimeError as error:
+            raise HardwareError(Text("shirtdev-lsl-no-answer", stream=facts.text)) from error
+
+    def _begin(self, lsl: LslLibrary, opened: list[OpenStream]) -> None:
+        """Begin to make rows of the streams."""
+        rates = [stream.facts.rate for stream in opened]
+        self.sample_rate = fastest = max(rates) or self._config.sample_rate
+        if not LOWEST_RATE <= fastest <= HIGHEST_RATE:
+            limits = {"low": LOWEST_RATE, "high": HIGHEST_RATE}
+            raise HardwareError(Text("shirtdev-lsl-rate", rate=round(fastest, 2), **limits))
+        for stream in opened:
+            rate = stream.facts.rate
+            samples = StreamSamples(stream.facts.channels, rate or self._config.sample_rate, is_regular=rate > 0.0)
+            self._streams.append(ReceivedStream(lsl, stream, samples, self._lsl_time))
+        received = [stream.samples for stream in self._streams]
+        self._rows = LedRows(received, rates.index(fastest)) if fastest in rates else GridRows(received, fastest)
+
+    def _next_row(self) -> Row | None:
+        return None if self._rows is None else self._rows.next(self._lsl_time())
+
+    def _receive(self, longest: float) -> None:
+        """Take over what has come, waiting at most `longest` (s) for what the next row needs."""
+        lsl, rows = self._lsl, self._rows
+        if lsl is None or rows is None:
+            self._clock.sleep_until(self._clock.now() + longest)
+            return
+        now = self._lsl_time()
+        if now >= self._settle_at:
+            self._settle(lsl)
+        awaited, wait = rows.wait(now)
+        wait = min(wait, longest)
+        if awaited is None or self._streams[awaited].is_lost:
+            self._clock.sleep_until(self._clock.now() + wait)
+        else:
+            self._streams[awaited].take(wait)
+        for number, stream in enumerate(self._streams):
+            if number != awaited:
+                stream.take()
+            stream.follow_search()
+
+    def _settle(self, lsl: LslLibrary) -> None:
+        """Read anew by how much the clocks differ."""
+        self._ahead = lsl_ahead(lsl, self._clock)
+        self._settle_at = self._lsl_time() + SETTLE_EVERY
+        for stream in self._streams:
+            stream.settle()
+
+    def _lsl_time(self) -> float:
+        return self._clock.now() + self._ahead
+
+
+def opened_stream(lsl: LslLibrary, facts: StreamFacts, info: LslInfo) -> OpenStream:
+    """Begin to receive a stream; raise RuntimeError when it does not answer in time."""
+    # liblsl's own recovery would go on with an equal stream of any machine.
+    inlet = lsl.StreamInlet(info, max_buflen=BUFFER, max_chunklen=1, recover=False)
+    inlet.open_stream(ANSWER)
+    return OpenStream(facts, inlet, inlet.info(ANSWER), inlet.time_correction(ANSWER))
+
+
+def end(inlets: list[Any]) -> None:
+    """End inlets in a thread, for that may take half a second; nobody else may refer to them."""
+    if inlets:
+        threading.Thread(target=inlets.clear, name="LSL end", daemon=True).start()
+
+
+KIND = ShirtKind(LslConfig, LslShirt, Trust.NEVER)
