@@ -20,6 +20,8 @@ LARGEST_RADIUS = 1000.0  # m
 FARTHEST = 1e8  # m: map coordinates are smaller
 LONGEST = 86_400.0  # s between the first row and the last
 SLOWEST_ROWS = 2.0  # s, the usual time between two rows of a recording; more means that t is not in seconds
+SLOW_ROWS = 0.5  # s; with such rows, a mean speed below SLOWEST means so, too
+SLOWEST = 0.02  # m/s
 RECORDING = 20  # rows; fewer may be written by hand, with any time between them
 FASTEST = 10.0  # m/s, mean speed; more means that x and y are not in metres, or t not in seconds
 FOLLOWING = ("dist_ratio", "e_diff", "cross_track_rms", "cross_track_max", "cross_track_mean")  # how well it followed
@@ -43,17 +45,16 @@ def score_files(trajectory: Path, path: Path, goal_radius: float) -> "Measures":
     import numpy as np
 
     from app.scoring.path_measures import path_measures
-    from app.signals.columns import read_columns, require_column
+    from app.signals.columns import read_table
+    from app.signals.timed_table import read_timed
     from app.world.path import Path as Line
 
     try:
-        trajectory_columns = read_columns(trajectory, only=("t", "x", "y", *EXTRAS))
-        t, x, y = (require_column(trajectory_columns, trajectory, name) for name in ("t", "x", "y"))
-        extras = {
-            name: require_column(trajectory_columns, trajectory, name) for name in EXTRAS if name in trajectory_columns
-        }
-        prescribed = read_columns(path, only=("x", "y"))
-        points = np.column_stack([require_column(prescribed, path, name) for name in ("x", "y")])
+        t, driven = read_timed(trajectory, ("x", "y", *EXTRAS))
+        x, y = driven.numbers("x"), driven.numbers("y")
+        extras = {name: driven.numbers(name) for name in EXTRAS if name in driven.columns}
+        prescribed = read_table(path, only=("x", "y"))
+        points = np.column_stack([prescribed.numbers(name) for name in ("x", "y")])
     except ValueError as error:
         raise InputError(text_of(error)) from error
     for file, places in ((trajectory, (x, y)), (path, points)):
@@ -83,6 +84,9 @@ def _check_units(trajectory: Path, rows: float, measures: "Measures") -> None:
     if rows > SLOWEST_ROWS:
         raise InputError(Text("cli-score-rows", file=str(trajectory), seconds=f"{rows:g}"))
     speed = measures["mean_speed"]
+    if speed is not None and rows >= SLOW_ROWS and 0.0 < speed < SLOWEST:
+        seconds = f"{rows:g}"
+        raise InputError(Text("cli-score-slow", file=str(trajectory), speed=f"{speed:.2g}", seconds=seconds))
     if speed is not None and speed > FASTEST:
         raise InputError(Text("cli-score-speed", file=str(trajectory), speed=f"{speed:g}"))
 

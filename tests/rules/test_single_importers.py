@@ -48,6 +48,11 @@ EXCEPTIONS: dict[str, tuple[str, ...]] = {
         "app.world.imports.dxf",
         "app.world.imports.image",
     ),
+    "a file for each kind of table; what moments are written like is read apart from the tables that hold them": (
+        "app.signals.clock_times",
+        "app.signals.parquet_table",
+        "app.signals.text_table",
+    ),
     "what is accepted of foreign files is read apart from the routes of the clinic's own plans": (
         "app.api.routes.plan_uploads",
     ),

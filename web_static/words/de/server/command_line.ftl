@@ -160,6 +160,7 @@ cli-score-places = { $file }: x und y müssen Meter sein, höchstens { $most } v
 cli-score-too-long = { $file }: dauert { $seconds } s, mehr als einen Tag, geben Sie t in Sekunden an, für einen Durchgang
 cli-score-rows = { $file }: die Zeilen liegen meist { $seconds } s auseinander, geben Sie t in Sekunden an, nicht in Millisekunden
 cli-score-speed = { $file }: die mittlere Geschwindigkeit ist { $speed } m/s, geben Sie x und y in Metern an und t in Sekunden
+cli-score-slow = { $file }: die mittlere Geschwindigkeit ist { $speed } m/s bei Zeilen im Abstand von { $seconds } s, geben Sie t in Sekunden an, nicht in Millisekunden
 cli-score-loops = Zwei Schleifen um dieselbe Stelle in Gegenrichtung heben sich in der Fläche auf, der gefahrene Weg zählt beide.
 
 ## study

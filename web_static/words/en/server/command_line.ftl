@@ -160,6 +160,7 @@ cli-score-places = { $file }: x and y must be metres, at most { $most } from 0: 
 cli-score-too-long = { $file }: it lasts { $seconds } s, more than a day: give t in seconds, of one trial
 cli-score-rows = { $file }: its rows are usually { $seconds } s apart: give t in seconds, not in milliseconds
 cli-score-speed = { $file }: its mean speed is { $speed } m/s: give x and y in metres, and t in seconds
+cli-score-slow = { $file }: its mean speed is { $speed } m/s with rows { $seconds } s apart: give t in seconds, not in milliseconds
 cli-score-loops = Two loops around one place in opposite directions cancel in the area; the distance driven counts both.
 
 ## study

@@ -160,6 +160,7 @@ cli-score-places = { $file }: x e y deben ser metros, a { $most } de 0 como máx
 cli-score-too-long = { $file }: dura { $seconds } s, más de un día: indique t en segundos, de un solo ensayo
 cli-score-rows = { $file }: sus filas suelen estar a { $seconds } s unas de otras: indique t en segundos, no en milisegundos
 cli-score-speed = { $file }: su velocidad media es de { $speed } m/s: indique x e y en metros, y t en segundos
+cli-score-slow = { $file }: su velocidad media es de { $speed } m/s con filas a { $seconds } s unas de otras: indique t en segundos, no en milisegundos
 cli-score-loops = Dos vueltas alrededor de un mismo lugar en sentidos opuestos se anulan en el área; la distancia recorrida cuenta ambas.
 
 ## study
