@@ -9,8 +9,9 @@ import typer
 from app.cli.common_options import AsJson
 from app.cli.errors import InputError
 from app.cli.help_text import help_text
+from app.cli.signal_options import TimeName, TimeUnit, signals_refused, time_unit
 from app.scoring.measures import CIRCUMSTANCES, REACHED, REACHED_NAME, TRIAL_MEASURES
-from app.texts import Text, text_of
+from app.texts import Text
 
 if TYPE_CHECKING:
     from app.scoring.path_measures import Measures
@@ -31,17 +32,24 @@ def score(
     trajectory: Annotated[Path, typer.Argument(metavar="TRAJECTORY", help=help_text("cli-help-score-trajectory"))],
     path: Annotated[Path, typer.Argument(metavar="PATH", help=help_text("cli-help-score-path"))],
     goal_radius: Annotated[float, typer.Option(help=help_text("cli-help-score-goal-radius"))] = 0.5,
+    time: TimeName = None,
+    unit: TimeUnit = None,
     as_json: AsJson = False,
 ) -> None:
     """Score a driven trajectory against a prescribed path; s and m."""
     if not 0 < goal_radius <= LARGEST_RADIUS:
         raise InputError(Text("cli-score-radius", radius=f"{goal_radius:g}", most=f"{LARGEST_RADIUS:g}"))
-    measures = score_files(trajectory, path, goal_radius)
+    measures = score_files(trajectory, path, goal_radius, time, time_unit(unit))
     typer.echo(json.dumps(measures) if as_json else _table(measures))
 
 
-def score_files(trajectory: Path, path: Path, goal_radius: float) -> "Measures":
-    """Return the measures of the trajectory in one file along the path in another."""
+def score_files(
+    trajectory: Path, path: Path, goal_radius: float, time: str | None = None, unit: str | None = None
+) -> "Measures":
+    """Return the measures of the trajectory in one file along the path in another.
+
+    `time` and `unit` correct which column of the trajectory is the time, and in which unit it is.
+    """
     import numpy as np
 
     from app.scoring.path_measures import path_measures
@@ -50,13 +58,13 @@ def score_files(trajectory: Path, path: Path, goal_radius: float) -> "Measures":
     from app.world.path import Path as Line
 
     try:
-        t, driven = read_timed(trajectory, ("x", "y", *EXTRAS))
+        t, driven = read_timed(trajectory, ("x", "y", *EXTRAS), time, unit)
         x, y = driven.numbers("x"), driven.numbers("y")
         extras = {name: driven.numbers(name) for name in EXTRAS if name in driven.columns}
         prescribed = read_table(path, only=("x", "y"))
         points = np.column_stack([prescribed.numbers(name) for name in ("x", "y")])
     except ValueError as error:
-        raise InputError(text_of(error)) from error
+        raise signals_refused(error) from error
     for file, places in ((trajectory, (x, y)), (path, points)):
         if np.abs(places).max() > FARTHEST:
             raise InputError(Text("cli-score-places", file=str(file), most=f"{FARTHEST:g}"))

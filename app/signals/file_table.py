@@ -55,12 +55,12 @@ class FileTable:
         return FileTable(self.columns, self.units, self.places, self.dialect, both(self.note, note))
 
 
-def listed(names: list[str], most: int = 6) -> Text | str:
+def listed(names: list[str], most: int = 6, longest: int = LONGEST_QUOTE) -> Text | str:
     """Return the first names, and how many more there are."""
-    first = ", ".join(map(quoted, names[:most]))
+    first = ", ".join(quoted(name, longest) for name in names[:most])
     return Text("signals-names-more", names=first, count=len(names) - most) if len(names) > most else first
 
 
-def quoted(text: str) -> str:
+def quoted(text: str, longest: int = LONGEST_QUOTE) -> str:
     """Return what a file has in one short line."""
-    return " ".join(text[:LONGEST_QUOTE].split()) + ("..." if len(text) > LONGEST_QUOTE else "")
+    return " ".join(text[:longest].split()) + ("..." if len(text) > longest else "")

@@ -71,7 +71,9 @@ class SamplingTimes(NamedTuple):
     note: Text | None  # what was changed, or is missing
 
 
-def sampling_times(written: NDArray[np.float64], places: RowPlaces, column: str = "t") -> SamplingTimes:
+def sampling_times(
+    written: NDArray[np.float64], places: RowPlaces, column: str = "t", is_unit_stated: bool = False
+) -> SamplingTimes:
     """Return the times and the sample rate of a column of times.
 
     Parameters
@@ -82,6 +84,8 @@ def sampling_times(written: NDArray[np.float64], places: RowPlaces, column: str 
         Where the rows stand, for the sentence of a refusal.
     column : str
         The name of the column, for the sentence.
+    is_unit_stated : bool
+        Whether the file, or a person, says the unit: then a short and fast recording is not taken for minutes.
 
     Raises
     ------
@@ -91,6 +95,8 @@ def sampling_times(written: NDArray[np.float64], places: RowPlaces, column: str 
     source = TimeSource(places, column)
     t, period, note = _even_times(written, source)
     _refuse_units(t, period, source)
+    if not is_unit_stated:
+        _refuse_minutes(t, period, source)
     if note is None:
         t, period, note = _without_clock_steps(t, period, source)
     return SamplingTimes(t, round(1.0 / period, 6), both(note, _gap_note(t, period, source)))
@@ -242,7 +248,7 @@ def _refuse_another_rate(gaps: NDArray[np.bool_], t: NDArray[np.float64], source
 
 def _refuse_units(t: NDArray[np.float64], period: float, source: TimeSource) -> None:
     """Raise ValueError unless `t` can be in seconds; the sentence names the probable unit and the remedy."""
-    span, slow, fast = float(t[-1] - t[0]), (1 + ROUNDING) / SLOWEST, (1 - ROUNDING) / FASTEST
+    slow, fast = (1 + ROUNDING) / SLOWEST, (1 - ROUNDING) / FASTEST
     step: dict[str, Value] = {"step": _rounded(period, 4)}
     if not fast <= period <= slow:
         if abs(period - 1.0) < ROUNDING and np.ptp(np.diff(t)) < ROUNDING:
@@ -259,12 +265,17 @@ def _refuse_units(t: NDArray[np.float64], period: float, source: TimeSource) -> 
         if period > slow:
             raise ValueError(source.file_text("signals-unit-or-slow", **step, slowest=SLOWEST, fastest=FASTEST))
         raise ValueError(source.file_text("signals-unit-or-fast", **step, slowest=SLOWEST, fastest=FASTEST))
-    rate = 1.0 / (period * 60.0)
+
+
+def _refuse_minutes(t: NDArray[np.float64], period: float, source: TimeSource) -> None:
+    """Raise ValueError for a recording so fast and short that its times are probably minutes."""
+    span, rate = float(t[-1] - t[0]), 1.0 / (period * 60.0)
     like_minutes = any(abs(rate / usual_rate - 1.0) < 2e-3 for usual_rate in USUAL_RATES)
     if 1.0 / period >= FAST * (1 - ROUNDING) and (span < SHORT or (span < BRIEF and like_minutes)):
         seconds: dict[str, Value] = {"span": _rounded(span, 3), "rate": _rounded(1.0 / period, 5), "brief": BRIEF}
         minutes = {"span_of_minutes": _rounded(span * 60.0, 4), "rate_of_minutes": _rounded(rate, 4)}
-        raise ValueError(source.file_text("signals-unit-minutes", **step, **seconds, **minutes))
+        step = _rounded(period, 4)
+        raise ValueError(source.file_text("signals-unit-minutes", step=step, **seconds, **minutes))
 
 
 def _gap_note(t: NDArray[np.float64], period: float, source: TimeSource) -> Text | None:

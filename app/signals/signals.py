@@ -14,7 +14,7 @@ from pydantic import ValidationError
 from app.layout import MAX_CHANNELS, ShirtLayout
 from app.recording.reader import RunRecording, both, read_run
 from app.sentences import one_sentence
-from app.signals.column_names import columns_of_channels
+from app.signals.column_names import bare_name, columns_of_channels
 from app.signals.columns import NamedColumns, named_columns, read_table
 from app.signals.csv_dialect import Dialect
 from app.signals.file_table import Columns, FileTable, listed
@@ -33,6 +33,7 @@ from app.signals.time_names import time_names
 from app.texts import Text
 
 SHORTEST = 10  # samples
+LONGEST_PAIR = 80  # letters of a channel and its column
 RATE_TOLERANCE = 0.1  # share by which the times of a file may differ from a sample rate that a person gives
 ROWS_AT_ONCE = 4096
 LARGEST = 1e10  # no sensor gives more; sums of such values do not overflow float32, nor the limits of a profile
@@ -134,7 +135,7 @@ def _sampling_times(table: FileTable, time: TimeColumn | None, rate: float | Non
     """Return the times of the samples; a given sample rate replaces those of the file unless they contradict it."""
     if rate is None:
         assert time is not None
-        return sampling_times(time.t, table.places, time.column)
+        return sampling_times(time.t, table.places, time.column, time.is_stated)
     first = 0.0
     if time is not None:
         first, span = float(time.t[0]), float(time.t[-1] - time.t[0])
@@ -170,8 +171,8 @@ def _chosen_columns(
 
 def _sentence_of_channels(chosen: dict[str, str]) -> Text | None:
     """Return which columns of other names are channels, None when there is none."""
-    pairs = [f"{channel} = {column}" for channel, column in chosen.items() if channel != column]
-    return Text("signals-channels-taken", pairs=listed(pairs)) if pairs else None
+    pairs = [f"{name} = {column}" for name, column in chosen.items() if name != bare_name(column)[0]]
+    return Text("signals-channels-taken", pairs=listed(pairs, longest=LONGEST_PAIR)) if pairs else None
 
 
 def signals_of_run(run: RunRecording, path: Path, layout: ShirtLayout | None = None) -> Signals:

@@ -36,6 +36,14 @@ cli-help-service-install-print = Die Unit ausgeben und nichts ändern.
 ## calibrate and decode. A column of a CSV file, such as start, is not translated.
 
 cli-help-signals = CSV oder Parquet, oder der Ordner einer Aufzeichnung.
+cli-help-signals-command = Zeigen, was eine Datei mit Signalen enthält, bevor sie verwendet wird.
+cli-help-signals-show = Zeigen, was eine Datei mit Signalen enthält: Spalten, Zeit mit ihrer Einheit, Abtastrate, Kanäle und Gelenke.
+cli-help-signals-layout = Das Layout des Shirts, JSON; ohne diese Option das neben der Datei.
+cli-help-signals-out = Wohin die Signale geschrieben werden, so wie sie gelesen werden: eine Datei .parquet mit t in Sekunden.
+cli-help-signals-time = Die Spalte mit den Zeiten.
+cli-help-signals-unit = Die Einheit der Zeiten: s, ms, us, ns, min, h oder d.
+cli-help-signals-rate = Die Abtastrate, Hz: die Abtastwerte sind gleichmäßig, was auch immer ihre Zeiten sagen.
+cli-help-signals-channels = Die Spalten der Kanäle, in der Reihenfolge des Layouts.
 cli-help-layout = Das Layout des Shirts, JSON.
 cli-help-calibrate = Ein Kalibrierungsprofil aus einer Datei mit Signalen berechnen: für jedes Gelenk Hauptbewegung, Bereich, Vorzeichen und Schwellenwerte.
 cli-help-calibrate-out = Wohin das Kalibrierungsprofil geschrieben wird, JSON.

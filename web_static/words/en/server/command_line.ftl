@@ -163,6 +163,38 @@ cli-score-speed = { $file }: its mean speed is { $speed } m/s: give x and y in m
 cli-score-slow = { $file }: its mean speed is { $speed } m/s with rows { $seconds } s apart: give t in seconds, not in milliseconds
 cli-score-loops = Two loops around one place in opposite directions cancel in the area; the distance driven counts both.
 
+## signals. column, unit, role, ... are titles of a table.
+
+cli-signals-title-column = column
+cli-signals-title-unit = unit
+cli-signals-title-role = holds
+cli-signals-title-joint = joint
+cli-signals-title-least = least
+cli-signals-title-most = most
+cli-signals-title-missing = missing
+cli-signals-role =
+    { $role ->
+        [time] time
+        [channel] channel
+        [other-time] another time
+        [counter] counter
+        [text] words
+        [empty] nothing
+        [constant] one value
+       *[unused] not used
+    }
+cli-signals-summary =
+    { $channels ->
+        [one] { $rows } samples, { $seconds } s, at { $rate } Hz, { $channels } channel.
+       *[other] { $rows } samples, { $seconds } s, at { $rate } Hz, { $channels } channels.
+    }
+cli-signals-suffix = --out { $file }: its name must end in .parquet
+cli-signals-rate = --rate { $rate }: give Hz from { $least } to { $most }
+cli-signals-unit = --unit { $unit }: give one of { $known }
+cli-signals-channels = --channels { $channels }: give different names of columns with commas between them
+# problem: a sentence without a full stop.
+cli-signals-correct = { $problem } (or say it with --time, --unit or --rate; bodydrive signals show tells what a file holds)
+
 ## study
 
 cli-study-seeds = --seed { $seed } leaves no room for --seeds { $seeds }: the largest seed is { $largest }

@@ -36,6 +36,14 @@ cli-help-service-install-print = Mostrar la unidad y no cambiar nada.
 ## calibrate and decode. A column of a CSV file, such as start, is not translated.
 
 cli-help-signals = CSV o Parquet, o la carpeta de una grabación.
+cli-help-signals-command = Mostrar qué contiene un archivo de señales antes de usarlo.
+cli-help-signals-show = Mostrar qué contiene un archivo de señales: columnas, tiempo con su unidad, frecuencia de muestreo, canales y articulaciones.
+cli-help-signals-layout = La disposición de la camiseta, JSON; sin esta opción, la que está junto al archivo.
+cli-help-signals-out = Dónde se escriben las señales tal como se leen: un archivo .parquet con t en segundos.
+cli-help-signals-time = La columna de los tiempos.
+cli-help-signals-unit = La unidad de los tiempos: s, ms, us, ns, min, h o d.
+cli-help-signals-rate = La frecuencia de muestreo, Hz: las muestras son uniformes, digan lo que digan sus tiempos.
+cli-help-signals-channels = Las columnas de los canales, en el orden de la disposición.
 cli-help-layout = La disposición de la camiseta, JSON.
 cli-help-calibrate = Ajustar un perfil de calibración a un archivo de señales: de cada articulación, su movimiento principal, rango, signo y umbrales.
 cli-help-calibrate-out = Dónde se escribe el perfil de calibración, JSON.
