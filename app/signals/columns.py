@@ -5,8 +5,11 @@ from pathlib import Path
 from typing import NamedTuple
 
 from app.signals.file_table import Columns, FileTable
+from app.signals.foreign.conversion import converted
+from app.signals.foreign.kinds import foreign_kind
 from app.signals.parquet_table import parquet_schema, read_parquet_table, units_of_schema
-from app.signals.text_table import form_of_file, read_text_table
+from app.signals.table_form import HEAD, form_of_head
+from app.signals.text_table import form_of_file, read_text_content, read_text_table
 from app.texts import Text
 
 PARQUET = ".parquet"
@@ -30,8 +33,9 @@ def read_table(path: Path, text: Collection[str] = (), only: Collection[str] | N
     """Read the columns of a file by name: float64 or float32 (n,), missing numbers as NaN, moments in s.
 
     Columns named in `text` are read as text. Of the others, those named in `only` are read (all that hold numbers when
-    None); names that the file does not have are not in the answer. A file that ends in `.parquet` is Parquet, any other
-    is text (`app/signals/table_form.py` finds its form).
+    None); names that the file does not have are not in the answer. A file that ends in `.parquet` is Parquet; the
+    kinds of `app/signals/foreign/kinds.py` are known by their names or beginnings; any other file is a table in text
+    (`app/signals/table_form.py` finds its form).
 
     Raises
     ------
@@ -40,9 +44,14 @@ def read_table(path: Path, text: Collection[str] = (), only: Collection[str] | N
     """
     _check_is_file(path)
     try:
-        return read_parquet_table(path, text, only) if _is_parquet(path) else read_text_table(path, text, only)
+        if _is_parquet(path):
+            return read_parquet_table(path, text, only)
+        if (kind := foreign_kind(path)) is None:
+            return read_text_table(path, text, only)
+        read = converted(path, kind)
     except OSError as error:
         raise _unreadable(path, error) from error
+    return read_text_content(read, str(path), text, only) if isinstance(read, bytes) else read.only(only)
 
 
 def named_columns(path: Path) -> NamedColumns:
@@ -52,7 +61,11 @@ def named_columns(path: Path) -> NamedColumns:
         if _is_parquet(path):
             schema = parquet_schema(path)
             return NamedColumns(tuple(schema.names), units_of_schema(schema), frozenset(), str(path))
-        form = form_of_file(path)
+        kind = foreign_kind(path)
+        read = None if kind is None else converted(path, kind)
+        if isinstance(read, FileTable):
+            return NamedColumns(tuple(read.columns), dict(read.units), frozenset(), str(path))
+        form = form_of_file(path) if read is None else form_of_head(read[:HEAD], str(path))
     except OSError as error:
         raise _unreadable(path, error) from error
     named = [index for index, name in enumerate(form.names) if name]

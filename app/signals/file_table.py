@@ -1,6 +1,6 @@
 """The table of a file: its columns by name, their units, and where its rows stand."""
 
-from collections.abc import Mapping
+from collections.abc import Collection, Mapping
 from dataclasses import dataclass
 
 import numpy as np
@@ -35,6 +35,16 @@ class FileTable:
         if len(bad):
             raise ValueError(Text("signals-no-number", place=self.places.row(int(bad[0])), column=name))
         return values
+
+    def only(self, names: Collection[str] | None) -> "FileTable":
+        """Return the table of the columns `names`; None: of all."""
+        if names is None:
+            return self
+        columns = {name: values for name, values in self.columns.items() if name in names}
+        if not columns:
+            there, wanted = listed(list(self.columns)), listed(sorted(names))
+            raise ValueError(Text("signals-columns-missing", place=self.places.file, names=wanted, there=there))
+        return FileTable(columns, self.units, self.places, self.dialect, self.note)
 
     def without_empty_rows(self) -> "FileTable":
         """Return the table without the rows that hold nothing, as spreadsheets write below the last one."""

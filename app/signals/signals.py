@@ -14,6 +14,7 @@ from pydantic import ValidationError
 from app.layout import MAX_CHANNELS, ShirtLayout
 from app.recording.reader import RunRecording, both, read_run
 from app.sentences import one_sentence
+from app.signals.bids_motion import rate_beside
 from app.signals.column_names import bare_name, columns_of_channels
 from app.signals.columns import NamedColumns, named_columns, read_table
 from app.signals.csv_dialect import Dialect
@@ -91,7 +92,8 @@ def read_signals(
     times = _times_beside(path, named.names, layout, options)
     chosen = _chosen_columns(path, named, times, layout, options)
     table = read_table(path, only=None if chosen is None or not times else {*times, *chosen.values()})
-    time = _time(table, options, () if chosen is None else chosen.values())
+    rate = options.rate if options.rate is not None or times else rate_beside(path)
+    time = _time(table, options, rate, () if chosen is None else chosen.values())
     if chosen is None:
         apart = {*times, *([] if time is None else [time.column])}
         numbers = {name: values for name, values in table.columns.items() if name not in apart}
@@ -105,7 +107,7 @@ def read_signals(
     count = len(next(iter(table.columns.values())))
     if count < SHORTEST:
         raise ValueError(Text("signals-samples-few", file=str(path), count=count))
-    even = _sampling_times(table, time, options.rate, count)
+    even = _sampling_times(table, time, rate, count)
     said = [table.note, None if time is None else sentence_of_time(time), _sentence_of_channels(chosen), even.note]
     values = _stack_columns(table.columns, list(chosen.values()))
     return Signals(even.t, values, list(chosen), even.sample_rate, damage=reduce(both, said), dialect=table.dialect)
@@ -121,12 +123,14 @@ def _times_beside(path: Path, names: Sequence[str], layout: ShirtLayout | None, 
     return others
 
 
-def _time(table: FileTable, options: ReadingOptions, channels: Collection[str]) -> TimeColumn | None:
-    """Return the time of a table; None where only a given sample rate says it."""
+def _time(
+    table: FileTable, options: ReadingOptions, rate: float | None, channels: Collection[str]
+) -> TimeColumn | None:
+    """Return the time of a table; None where only a sample rate says it."""
     try:
         return time_of_table(table, options.time, options.unit, channels)
     except ValueError:
-        if options.rate is None or options.time is not None:
+        if rate is None or options.time is not None:
             raise
         return None
 

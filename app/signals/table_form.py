@@ -210,9 +210,8 @@ def _header(above: Sequence[Line], separator: str, width: int) -> tuple[list[str
     if len(nearest) <= at or not nearest[at]:
         return [], []
     names = nearest[at]
-    has_twins = len(set(filter(None, names))) < len([*filter(None, names)])
-    if has_twins and len(nearest) > at + 1 and not is_comment(lines[at + 1].text) and separator != BLANKS:
-        names = _with_groups(nearest[at + 1], names)
+    if len(lines) > at + 1 and not is_comment(lines[at + 1].text) and separator != BLANKS:
+        names = _with_groups(names_of(lines[at + 1].text, separator, width)[:width], names)
     units = (units + [""] * len(names))[: len(names)]
     return names, [unit.strip("()[] ") for unit in units]
 
@@ -230,11 +229,23 @@ def _header_cells(line: Line, separator: str, width: int) -> list[str]:
 
 
 def _with_groups(groups: Sequence[str], names: Sequence[str]) -> list[str]:
-    """Return names with the group that each stands under: a marker over its X, Y and Z."""
+    """Return names with those in the line above them: a marker over its X, Y and Z, the time over nothing.
+
+    The line above counts only where names stand twice, or are missing, and when it is no title of few cells.
+    """
+    filled = [name for name in names if name]
+    if 2 * len(groups) < len(names):
+        return list(names)
+    groups = [*groups, *[""] * (len(names) - len(groups))]
+    has_twins = len(set(filled)) < len(filled)
+    has_gaps = any(over and not name for over, name in zip(groups, names, strict=True))
+    if not has_twins and not (has_gaps and sum(map(bool, groups)) > 1):
+        return list(names)
     named, group = [], ""
-    for over, name in zip([*groups, *[""] * len(names)], names, strict=False):
+    for over, name in zip(groups, names, strict=True):
         group = over or group
-        named.append(f"{group} {name}" if group and names.count(name) > 1 else name)
+        stands_under = name and group and (names.count(name) > 1 or has_gaps)
+        named.append(f"{group} {name}" if stands_under else name or over)
     return named
 
 

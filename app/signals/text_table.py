@@ -14,6 +14,7 @@ from typing import TYPE_CHECKING, Any, Final, NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
+from app.signals.bids_motion import named_beside
 from app.signals.cells import SPELLINGS, is_missing, number_of
 from app.signals.clock_times import seconds_of_moments
 from app.signals.csv_dialect import BLANKS, UTF_8, cells_of, is_comment
@@ -46,22 +47,34 @@ def form_of_file(path: Path) -> TableForm:
     """Return the form of the table in a file; raise ValueError in one sentence when it has none."""
     with path.open("rb") as file:
         head = file.read(HEAD)
-    return form_of_head(head, str(path))
+    form = form_of_head(head, str(path))
+    beside = None if form.has_header else named_beside(path, len(form.names))
+    return form if beside is None else form._replace(names=tuple(beside[0]), units=tuple(beside[1]))
 
 
 def read_text_table(path: Path, text: Collection[str], only: Collection[str] | None) -> FileTable:
     """Return the table of a file; parameters and errors as of `app.signals.columns.read_table`."""
     form = form_of_file(path)
-    choice = _choice(form, str(path), text, only)
-    content = _content_of(path, form.dialect.encoding)
+    return _table_of_content(_content_of(path, form.dialect.encoding), form, str(path), text, only)
+
+
+def read_text_content(content: bytes, file: str, text: Collection[str], only: Collection[str] | None) -> FileTable:
+    """Return the table that `content` is, in UTF-8, of a file; other parameters and errors as of `read_text_table`."""
+    return _table_of_content(content, form_of_head(content[:HEAD], file), file, text, only)
+
+
+def _table_of_content(
+    content: "bytes | mmap.mmap", form: TableForm, file: str, text: Collection[str], only: Collection[str] | None
+) -> FileTable:
+    choice = _choice(form, file, text, only)
     begin = _offset_of_line(content, form.first)
     end = _end_of_rows(content, begin)
     last = _begin_of_last_line(content, begin, end)
     is_cut = last > begin and _is_cut(content[last:end], form)
     rows = memoryview(content)[begin : last if is_cut else end]
-    places = RowPlaces(str(path), form.first + 1)
+    places = RowPlaces(file, form.first + 1)
     if not len(rows):
-        raise ValueError(Text("signals-no-rows", file=str(path)))
+        raise ValueError(Text("signals-no-rows", file=file))
     table = _read_fast(rows, form, choice, content, places) or _read_by_lines(rows, form, choice, places)
     if is_cut:
         line = form.first + 1 + bytes(memoryview(content)[begin:last]).count(b"\n")

@@ -55,9 +55,11 @@ def time_of_table(
             return in_seconds(table, name, unit)
     if candidates:
         return in_seconds(table, (rising or candidates)[0], unit)
-    unnamed = [name for name, values in columns.items() if _rises_evenly(values) and len(possible_units(values)) == 1]
-    if len(unnamed) == 1:
-        return in_seconds(table, unnamed[0], unit)
+    clocks = [name for name, values in columns.items() if _rises(values) and _unit_since_1970(_known(values))]
+    even = [name for name, values in columns.items() if _rises_evenly(values) and len(possible_units(values)) == 1]
+    for unnamed in (clocks, even):
+        if len(unnamed) == 1:
+            return in_seconds(table, unnamed[0], unit)
     raise ValueError(Text("signals-time-missing", file=table.places.file, names=listed(list(table.columns))))
 
 

@@ -24,7 +24,7 @@ LONG: Final = frozenset(word for words in SPELT.values() for word in words if le
 TIME_WORDS: Final = (
     ("t",),
     ("time", "times", "zeit", "tiempo", "timestamp", "timestamps", "zeitstempel", "stamp", "sampletimefine"),
-    ("elapsed", "clock", "uhrzeit", "hora", "datetime", "unix", "epoch", "utc", "lsl", "secs", "nsecs"),
+    ("latency", "elapsed", "clock", "uhrzeit", "hora", "datetime", "unix", "epoch", "utc", "lsl", "secs", "nsecs"),
 )
 COUNTER_WORDS: Final = frozenset(
     ("index", "sample", "samples", "frame", "packet", "counter", "count", "seq", "sequence", "row", "number", "nr")

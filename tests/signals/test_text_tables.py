@@ -9,6 +9,7 @@ from hypothesis import HealthCheck, given, settings
 from hypothesis import strategies as st
 
 from app.signals.cells import MISSING
+from app.signals.column_names import bare_name
 from app.signals.columns import named_columns, read_table
 from app.signals.signals import read_layout, read_signals
 from folders import SHARED
@@ -130,6 +131,16 @@ PROGRAMS = {
         for number, (t, a, b) in enumerate(ROWS)
     ),
     "markers over columns": "Trajectories\n50\n,,left,left\nFrame,t,A,B\n,s,mm,mm\n" + rows_of("{number},{:.2f},{},{}"),
+    "TRC": "PathFileType\t4\t(X/Y/Z)\twalk.trc\nDataRate\tCameraRate\tNumFrames\n50\t50\t20\n"
+    + "Frame#\tTime\tarm\t\t\n\t\tA\tB\n\n"
+    + rows_of("{number}\t{:.2f}\t{}\t{}"),
+    "MOT of OpenSim": "Coordinates\nversion=1\nnRows=20\nnColumns=3\ninDegrees=yes\n\nendheader\ntime\tA\tB\n"
+    + rows_of("{:14.8f}\t{:14.8f}\t{:14.8f}"),
+    "NGIMU": "Time (s),A (deg/s),B (g)\n" + rows_of("{:.2f},{},{}"),
+    "MT Manager": "// General information:\n//  Device: MTw\nPacketCounter\tTime\tA\tB\n"
+    + rows_of("{number:05}\t{:.2f}\t{}\t{}"),
+    "Movella DOT": "sep=,\nDeviceTag:,7\nFirmwareVersion:,2.0.0\n\nPacketCounter,SampleTimeFine,A,B\n"
+    + "".join(f"{number + 1},{1e6 * t:.0f},{a},{b}\n" for number, (t, a, b) in enumerate(ROWS)),
     "units in brackets": "t [s];A [mV];B [mV]\n" + rows_of("{:.2f};{};{}"),
     "quotation marks": '"t","A","B"\n' + rows_of('"{:.2f}","{}","{}"'),
     "German spreadsheet": "t;A;B\n" + rows_of("{:.2f};{};{}").replace(".", ",") + ";;\n;;\n",
@@ -148,7 +159,7 @@ def test_what_programs_write_is_read(tmp_path, program):
     file = tmp_path / "table.csv"
     file.write_text(PROGRAMS[program])
     signals = read_signals(file)
-    names = [name.split()[-1] if "over" in program else name.partition(" [")[0] for name in signals.channel_names]
+    names = [bare_name(name)[0].split()[-1] for name in signals.channel_names]
     assert names == ["A", "B"]
     np.testing.assert_allclose(signals.t, [t for t, _, _ in ROWS], atol=1e-9)
     np.testing.assert_allclose(signals.values, [row[1:] for row in ROWS])
@@ -180,6 +191,30 @@ def test_a_table_without_a_header_has_numbered_columns(tmp_path):
     file.write_text(rows_of("{:.2f}\t{}\t{}"))
     assert named_columns(file).names == ("column_1", "column_2", "column_3")
     assert read_signals(file).channel_names == ["column_2", "column_3"]
+
+
+def test_a_table_of_brainflow_has_its_clock_from_1970(tmp_path):
+    file = tmp_path / "brainflow.csv"
+    rows = [[i % 256, a, np.sin(i), 0.0, 1_706_282_470 + t] for i, (t, a, _) in enumerate(ROWS)]
+    file.write_text("".join("\t".join(f"{cell:.6f}" for cell in row) + "\n" for row in rows))
+    signals = read_signals(file)
+    assert "column_5" not in signals.channel_names
+    assert signals.sample_rate == pytest.approx(50.0, rel=1e-3)
+
+
+@pytest.mark.parametrize("has_latency", [True, False])
+def test_a_table_of_bids_motion_has_its_names_and_rate_beside_it(tmp_path, has_latency):
+    stem = "sub-1_task-walk_tracksys-imu"
+    named = [("latency", "LATENCY", "s"), ("A", "ACCEL", "g"), ("B", "GYRO", "n/a")]
+    named = named if has_latency else named[1:]
+    lines = ["name\ttype\tunits", *("\t".join(channel) for channel in named)]
+    (tmp_path / f"{stem}_channels.tsv").write_text("\n".join(lines) + "\n")
+    (tmp_path / f"{stem}_motion.json").write_text('{"SamplingFrequency": 50}')
+    form = "{:.2f}\t{}\t{}" if has_latency else "{1}\t{2}"
+    (tmp_path / f"{stem}_motion.tsv").write_text(rows_of(form).replace("\t503\t", "\tn/a\t"))
+    signals = read_signals(tmp_path / f"{stem}_motion.tsv")
+    assert (signals.channel_names, signals.sample_rate) == (["A", "B"], 50.0)
+    assert signals.t[-1] == pytest.approx(19 / 50)
 
 
 def test_a_place_counts_the_lines_of_the_file(tmp_path):

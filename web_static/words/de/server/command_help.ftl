@@ -35,7 +35,7 @@ cli-help-service-install-print = Die Unit ausgeben und nichts ändern.
 
 ## calibrate and decode. A column of a CSV file, such as start, is not translated.
 
-cli-help-signals = CSV oder Parquet, oder der Ordner einer Aufzeichnung.
+cli-help-signals = CSV, Parquet, XLSX, MATLAB, C3D, EDF, XDF oder BVH, oder der Ordner einer Aufzeichnung.
 cli-help-signals-command = Zeigen, was eine Datei mit Signalen enthält, bevor sie verwendet wird.
 cli-help-signals-show = Zeigen, was eine Datei mit Signalen enthält: Spalten, Zeit mit ihrer Einheit, Abtastrate, Kanäle und Gelenke.
 cli-help-signals-layout = Das Layout des Shirts, JSON; ohne diese Option das neben der Datei.

@@ -35,7 +35,7 @@ cli-help-service-install-print = Print the unit, and change nothing.
 
 ## calibrate and decode. A column of a CSV file, such as start, is not translated.
 
-cli-help-signals = CSV or Parquet, or the folder of a recording.
+cli-help-signals = CSV, Parquet, XLSX, MATLAB, C3D, EDF, XDF or BVH, or the folder of a recording.
 cli-help-signals-command = Show what a file of signals holds, before it is used.
 cli-help-signals-show = Show what a file of signals holds: its columns, its time with its unit, its sample rate, its channels and joints.
 cli-help-signals-layout = The shirt's layout, JSON; without it that beside the file.

@@ -1,4 +1,4 @@
-### Texts about files of signals (CSV or Parquet): what is wrong with one, and what was mended. Most begin with the name
+### Texts about files of signals (CSV, Parquet and other kinds): what is wrong with one, and what was mended. Most begin with the name
 ### of a file, or with a place in it (signals-line, signals-row), and have no full stop.
 
 ## Places, and lists of names
@@ -21,6 +21,12 @@ signals-no-rows = { $file }: there is no row below the header, record again or n
 signals-no-csv = { $file }: this is not a CSV file but something binary, save it as CSV or as Parquet
 signals-no-parquet = { $file }: this is not a Parquet file, save it as one or give it the name of a CSV
 signals-parquet-damaged = { $file }: this Parquet file was cut or changed and cannot be read, save it anew
+# kind: the name of a format, such as C3D; library: the name of a program's part. Neither is translated.
+signals-library-missing = { $file }: { $kind } files need the library { $library }, install it with pip install 'bodydrive[files]', or save the file as CSV
+signals-foreign-damaged = { $file }: this { $kind } file is damaged, or of an unknown form, save it anew or as CSV
+signals-foreign-empty = { $file }: this { $kind } file holds no signals, name another one
+signals-variables-left-out = Variables of another length were left out: { $names }.
+signals-streams-left-out = Streams without numbers were left out: { $names }.
 signals-numbers = { $file }: this holds more than { NUMBER($most, useGrouping: 1) } numbers, cut it into shorter recordings
 signals-empty = { $file }: this file is empty, name another one
 signals-line-ends = { $file }: its lines end in carriage returns alone, save the file with other line ends

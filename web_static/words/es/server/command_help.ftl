@@ -35,7 +35,7 @@ cli-help-service-install-print = Mostrar la unidad y no cambiar nada.
 
 ## calibrate and decode. A column of a CSV file, such as start, is not translated.
 
-cli-help-signals = CSV o Parquet, o la carpeta de una grabación.
+cli-help-signals = CSV, Parquet, XLSX, MATLAB, C3D, EDF, XDF o BVH, o la carpeta de una grabación.
 cli-help-signals-command = Mostrar qué contiene un archivo de señales antes de usarlo.
 cli-help-signals-show = Mostrar qué contiene un archivo de señales: columnas, tiempo con su unidad, frecuencia de muestreo, canales y articulaciones.
 cli-help-signals-layout = La disposición de la camiseta, JSON; sin esta opción, la que está junto al archivo.
