@@ -9,12 +9,13 @@ import typer
 from app.cli.common_options import AsJson
 from app.cli.errors import InputError
 from app.cli.help_text import help_text
-from app.cli.signal_options import TimeName, TimeUnit, signals_refused, time_unit
+from app.cli.signal_options import SampleRate, TimeName, TimeUnit, reading_options, signals_refused
 from app.scoring.measures import CIRCUMSTANCES, REACHED, REACHED_NAME, TRIAL_MEASURES
 from app.texts import Text
 
 if TYPE_CHECKING:
     from app.scoring.path_measures import Measures
+    from app.signals.signals import ReadingOptions
 
 EXTRAS = ("in_contact", "contacts", "u1", "u2")  # optional columns of the trajectory that give further measures
 LARGEST_RADIUS = 1000.0  # m
@@ -34,35 +35,31 @@ def score(
     goal_radius: Annotated[float, typer.Option(help=help_text("cli-help-score-goal-radius"))] = 0.5,
     time: TimeName = None,
     unit: TimeUnit = None,
+    rate: SampleRate = None,
     as_json: AsJson = False,
 ) -> None:
     """Score a driven trajectory against a prescribed path; s and m."""
     if not 0 < goal_radius <= LARGEST_RADIUS:
         raise InputError(Text("cli-score-radius", radius=f"{goal_radius:g}", most=f"{LARGEST_RADIUS:g}"))
-    measures = score_files(trajectory, path, goal_radius, time, time_unit(unit))
+    measures = score_files(trajectory, path, goal_radius, reading_options(time, unit, rate, None))
     typer.echo(json.dumps(measures) if as_json else _table(measures))
 
 
 def score_files(
-    trajectory: Path, path: Path, goal_radius: float, time: str | None = None, unit: str | None = None
+    trajectory: Path, path: Path, goal_radius: float, options: "ReadingOptions | None" = None
 ) -> "Measures":
-    """Return the measures of the trajectory in one file along the path in another.
-
-    `time` and `unit` correct which column of the trajectory is the time, and in which unit it is.
-    """
+    """Return the measures of the trajectory in one file along the path in another; `options` are of the trajectory."""
     import numpy as np
 
     from app.scoring.path_measures import path_measures
-    from app.signals.columns import read_table
-    from app.signals.timed_table import read_timed
+    from app.signals.signals import AS_THE_FILE_SAYS
+    from app.signals.trajectory_files import read_places, read_trajectory
     from app.world.path import Path as Line
 
     try:
-        t, driven = read_timed(trajectory, ("x", "y", *EXTRAS), time, unit)
-        x, y = driven.numbers("x"), driven.numbers("y")
-        extras = {name: driven.numbers(name) for name in EXTRAS if name in driven.columns}
-        prescribed = read_table(path, only=("x", "y"))
-        points = np.column_stack([prescribed.numbers(name) for name in ("x", "y")])
+        said = options or AS_THE_FILE_SAYS
+        t, x, y, extras = read_trajectory(trajectory, EXTRAS, said.time, said.unit, said.rate)
+        points = read_places(path)
     except ValueError as error:
         raise signals_refused(error) from error
     for file, places in ((trajectory, (x, y)), (path, points)):

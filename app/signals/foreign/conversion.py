@@ -6,8 +6,8 @@ from tempfile import TemporaryDirectory
 
 from app.isolated_reader import read_isolated
 from app.signals.file_table import FileTable
-from app.signals.foreign.kinds import ForeignKind
 from app.signals.foreign.foreign_reading import PARQUET
+from app.signals.foreign.kinds import ForeignKind
 from app.signals.parquet_table import read_parquet_table
 from app.texts import Text, from_document
 

@@ -34,7 +34,9 @@ def answer(question: FileQuestion) -> dict[str, object]:
     try:
         read = import_module(kind.module).read(Path(file))
     except MissingLibraryError as error:
-        raise ValueError(Text("signals-library-missing", file=file, kind=kind.name, library=str(error))) from error
+        raise ValueError(
+            Text("signals-library-missing", file=file, kind=kind.name, library=str(error), extra=kind.extra)
+        ) from error
     except MemoryError:
         raise
     except Exception as error:  # whatever a library raises for a damaged file

@@ -15,6 +15,7 @@ class ForeignKind(NamedTuple):
     suffixes: tuple[str, ...]
     beginning: bytes  # empty where it says nothing
     module: str
+    extra: str = "files"  # with its library
 
 
 KINDS: Final = (
@@ -24,6 +25,8 @@ KINDS: Final = (
     ForeignKind("EDF", (".edf", ".bdf"), b"", "app.signals.foreign.edf"),
     ForeignKind("XDF", (".xdf", ".xdfz"), b"XDF:", "app.signals.foreign.xdf"),
     ForeignKind("BVH", (".bvh",), b"HIERARCHY", "app.signals.foreign.bvh"),
+    ForeignKind("ROS", (".bag", ".db3"), b"#ROSBAG", "app.signals.foreign.ros_bag", "bags"),
+    ForeignKind("MCAP", (".mcap",), b"\x89MCAP", "app.signals.foreign.mcap_log", "bags"),
 )
 LONGEST_BEGINNING: Final = max(len(kind.beginning) for kind in KINDS)
 

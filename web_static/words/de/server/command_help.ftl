@@ -91,7 +91,7 @@ cli-help-prior-import-file = Die eigene Starthilfe einer Klinik, wie `export` si
 cli-help-score = Eine Fahrspur an einer vorgegebenen Strecke messen; s und m.
 # A further paragraph.
 cli-help-score-following = Eine Fahrspur, die auf der Strecke nicht weiter vorn endet, als sie begonnen hat, und nicht am Ziel, hat keine Messwerte dafür, wie gut sie folgt. Zwei Schleifen um dieselbe Stelle in Gegenrichtung heben sich in der Fläche neben der Strecke auf; der gefahrene Weg zählt beide.
-cli-help-score-trajectory = CSV oder Parquet mit den Spalten t, x, y.
+cli-help-score-trajectory = CSV oder Parquet mit den Spalten t, x, y; TUM, EuRoC oder KITTI; ein Bag von ROS oder MCAP.
 cli-help-score-path = CSV oder Parquet mit den Spalten x, y: die Punkte der Strecke.
 cli-help-score-goal-radius = Wie nah am Ende der Strecke das Ziel als erreicht gilt, m.
 cli-help-study = Eine simulierte Person kalibrieren und dann immer wieder eine Strecke fahren lassen, und jeden Durchgang messen.

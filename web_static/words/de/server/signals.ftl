@@ -21,12 +21,15 @@ signals-no-rows = { $file }: unter der Kopfzeile steht keine Zeile; zeichnen Sie
 signals-no-csv = { $file }: das ist keine CSV-Datei, sondern eine binäre; speichern Sie sie als CSV oder als Parquet
 signals-no-parquet = { $file }: das ist keine Parquet-Datei; speichern Sie sie als Parquet, oder geben Sie ihr den Namen einer CSV-Datei
 signals-parquet-damaged = { $file }: diese Parquet-Datei wurde abgeschnitten oder geändert und ist nicht lesbar; speichern Sie sie neu
-# kind: the name of a format, such as C3D; library: the name of a program's part. Neither is translated.
-signals-library-missing = { $file }: für Dateien im Format { $kind } wird die Bibliothek { $library } gebraucht; installieren Sie sie mit pip install 'bodydrive[files]', oder speichern Sie die Datei als CSV
+# kind: the name of a format, such as C3D; library, extra: names of parts of programs. None is translated.
+signals-library-missing = { $file }: für Dateien im Format { $kind } wird die Bibliothek { $library } gebraucht; installieren Sie sie mit pip install 'bodydrive[{ $extra }]', oder speichern Sie die Datei als CSV
 signals-foreign-damaged = { $file }: diese Datei im Format { $kind } ist beschädigt oder hat eine unbekannte Form; speichern Sie sie neu oder als CSV
 signals-foreign-empty = { $file }: diese Datei im Format { $kind } enthält keine Signale; nennen Sie eine andere
 signals-variables-left-out = Variablen anderer Länge wurden weggelassen: { $names }.
 signals-streams-left-out = Datenströme ohne Zahlen wurden weggelassen: { $names }.
+signals-topics-left-out = Die Orte sind die des Topics { $topic }; diese anderen wurden weggelassen: { $names }.
+signals-places-several = { $file }: mehrere Spalten können der Ort sein ({ $names }); nennen Sie die richtigen x und y
+signals-kitti-times = { $file }: Posen in der Form von KITTI haben keine Zeiten; legen Sie times.txt mit { $count } Zeiten daneben, oder geben Sie die Abtastrate an
 signals-numbers = { $file }: das enthält mehr als { NUMBER($most, useGrouping: 1) } Zahlen; teilen Sie es in kürzere Aufzeichnungen
 signals-empty = { $file }: diese Datei ist leer; nennen Sie eine andere
 signals-line-ends = { $file }: die Zeilen enden nur mit Wagenrücklauf (CR); speichern Sie die Datei mit anderen Zeilenenden

@@ -91,7 +91,7 @@ cli-help-prior-import-file = A clinic's own prior, as `export` writes it.
 cli-help-score = Score a driven trajectory against a prescribed path; s and m.
 # A further paragraph.
 cli-help-score-following = A drive that ends no further along the path than it began, and not at its goal, has no measures of following. Two loops around one place in opposite directions cancel in the area off the path; the distance driven counts both.
-cli-help-score-trajectory = CSV or Parquet with columns t, x, y.
+cli-help-score-trajectory = CSV or Parquet with columns t, x, y; TUM, EuRoC or KITTI; a bag of ROS or MCAP.
 cli-help-score-path = CSV or Parquet with columns x, y: the path's points.
 cli-help-score-goal-radius = How near the path's end counts as reached, m.
 cli-help-study = Let a simulated person calibrate, then drive a path again and again, and score every trial.

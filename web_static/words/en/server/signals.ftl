@@ -21,12 +21,15 @@ signals-no-rows = { $file }: there is no row below the header, record again or n
 signals-no-csv = { $file }: this is not a CSV file but something binary, save it as CSV or as Parquet
 signals-no-parquet = { $file }: this is not a Parquet file, save it as one or give it the name of a CSV
 signals-parquet-damaged = { $file }: this Parquet file was cut or changed and cannot be read, save it anew
-# kind: the name of a format, such as C3D; library: the name of a program's part. Neither is translated.
-signals-library-missing = { $file }: { $kind } files need the library { $library }, install it with pip install 'bodydrive[files]', or save the file as CSV
+# kind: the name of a format, such as C3D; library, extra: names of parts of programs. None is translated.
+signals-library-missing = { $file }: { $kind } files need the library { $library }, install it with pip install 'bodydrive[{ $extra }]', or save the file as CSV
 signals-foreign-damaged = { $file }: this { $kind } file is damaged, or of an unknown form, save it anew or as CSV
 signals-foreign-empty = { $file }: this { $kind } file holds no signals, name another one
 signals-variables-left-out = Variables of another length were left out: { $names }.
 signals-streams-left-out = Streams without numbers were left out: { $names }.
+signals-topics-left-out = The places are those of the topic { $topic }; these others were left out: { $names }.
+signals-places-several = { $file }: several columns can be the place ({ $names }), call the right ones x and y
+signals-kitti-times = { $file }: poses in the form of KITTI have no times, lay times.txt with { $count } times beside it, or give the sample rate
 signals-numbers = { $file }: this holds more than { NUMBER($most, useGrouping: 1) } numbers, cut it into shorter recordings
 signals-empty = { $file }: this file is empty, name another one
 signals-line-ends = { $file }: its lines end in carriage returns alone, save the file with other line ends

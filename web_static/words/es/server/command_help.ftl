@@ -91,7 +91,7 @@ cli-help-prior-import-file = El prior propio de una clínica, como lo escribe `e
 cli-help-score = Medir una trayectoria respecto a un recorrido indicado; s y m.
 # A further paragraph.
 cli-help-score-following = Si la trayectoria no termina más adelante en el recorrido de donde empezó, ni en su meta, no tiene medidas de cómo lo sigue. Dos vueltas alrededor de un mismo lugar en sentidos opuestos se anulan en el área fuera del recorrido; la distancia recorrida cuenta ambas.
-cli-help-score-trajectory = CSV o Parquet con las columnas t, x, y.
+cli-help-score-trajectory = CSV o Parquet con las columnas t, x, y; TUM, EuRoC o KITTI; un bag de ROS o MCAP.
 cli-help-score-path = CSV o Parquet con las columnas x, y: los puntos del recorrido.
 cli-help-score-goal-radius = A qué distancia del final del recorrido este cuenta como alcanzado, m.
 cli-help-study = Hacer que una persona simulada calibre y conduzca después un recorrido una y otra vez, y medir cada ensayo.

@@ -21,12 +21,15 @@ signals-no-rows = { $file }: no hay ninguna fila debajo del encabezado, grabe de
 signals-no-csv = { $file }: esto no es un archivo CSV, sino algo binario, guárdelo como CSV o como Parquet
 signals-no-parquet = { $file }: esto no es un archivo Parquet, guárdelo como tal o dele el nombre de un CSV
 signals-parquet-damaged = { $file }: este archivo Parquet se cortó o se modificó y no se puede leer, guárdelo de nuevo
-# kind: the name of a format, such as C3D; library: the name of a program's part. Neither is translated.
-signals-library-missing = { $file }: los archivos { $kind } necesitan la biblioteca { $library }, instálela con pip install 'bodydrive[files]' o guarde el archivo como CSV
+# kind: the name of a format, such as C3D; library, extra: names of parts of programs. None is translated.
+signals-library-missing = { $file }: los archivos { $kind } necesitan la biblioteca { $library }, instálela con pip install 'bodydrive[{ $extra }]' o guarde el archivo como CSV
 signals-foreign-damaged = { $file }: este archivo { $kind } está dañado o tiene una forma desconocida, guárdelo de nuevo o como CSV
 signals-foreign-empty = { $file }: este archivo { $kind } no contiene señales, indique otro
 signals-variables-left-out = Se dejaron fuera variables de otra longitud: { $names }.
 signals-streams-left-out = Se dejaron fuera flujos sin números: { $names }.
+signals-topics-left-out = Los lugares son los del topic { $topic }; se dejaron fuera estos otros: { $names }.
+signals-places-several = { $file }: varias columnas pueden ser el lugar ({ $names }), llame x e y a las correctas
+signals-kitti-times = { $file }: las poses con la forma de KITTI no tienen tiempos, ponga al lado times.txt con { $count } tiempos o indique la frecuencia de muestreo
 signals-numbers = { $file }: esto contiene más de { NUMBER($most, useGrouping: 1) } números, divídalo en grabaciones más cortas
 signals-empty = { $file }: este archivo está vacío, indique otro
 signals-line-ends = { $file }: sus líneas terminan solo con retornos de carro, guarde el archivo con otros finales de línea
