@@ -89,7 +89,7 @@ def _joints(file: Path, layout: "ShirtLayout | None", signals: "Signals") -> dic
         shirt = layout or layout_from_names(file, signals.channel_names)
     except ValueError:
         return {}
-    return {channel.name: channel.joint for channel in shirt.channels}
+    return {name: channel.joint for name, channel in zip(signals.channel_names, shirt.channels, strict=True)}
 
 
 def _lines(found: "FileOverview", joints: dict[str, str]) -> list[str]:

@@ -5,13 +5,36 @@ from typing import Final
 
 MISSING: Final = frozenset(
     (
-        *("", "nan", "-nan", "na", "n/a", "n.a.", "nil", "nat", "null", "none", "missing", "?", ".", "-", "--", "---"),
+        *(
+            "<na>",
+            "(null)",
+            "undefined",
+            "nd",
+            "n.d.",
+            "",
+            "nan",
+            "-nan",
+            "na",
+            "n/a",
+            "n.a.",
+            "nil",
+            "nat",
+            "null",
+            "none",
+            "missing",
+            "?",
+            ".",
+            "-",
+            "--",
+            "---",
+        ),
         *("nan(ind)", "-nan(ind)", "1.#qnan", "-1.#qnan", "1.#ind", "-1.#ind"),  # what programs in C write
         *("#n/a", "#na", "#div/0!", "#value!", "#num!", "#ref!", "#name?", "#null!"),  # spreadsheets, English
         *("#nv", "#wert!", "#zahl!", "#bezug!"),  # German
         *("#n/d", "#¡div/0!", "#¡valor!", "#¡num!", "#¡ref!", "#¿nombre?", "#¡nulo!"),  # Spanish
     )
 )  # in lower case
+ERROR: Final = "err:"  # of LibreOffice, with a number
 SPELLINGS: Final = sorted(
     {"NaN", "NaT"} | {spelt for each in MISSING for spelt in (each, each.upper(), each.capitalize())}
 )
@@ -29,7 +52,8 @@ MOMENT: Final = re.compile(f"(?:(?:{YEAR_FIRST}|{DAY_FIRST}|{SLASHES})(?:[tT_]|,
 
 def is_missing(cell: str) -> bool:
     """Return whether a cell is empty, or holds a word that stands for a missing number."""
-    return cell.strip().lower() in MISSING
+    text = cell.strip().lower()
+    return text in MISSING or text.startswith(ERROR)
 
 
 def is_number(cell: str, decimal: str) -> bool:

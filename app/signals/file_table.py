@@ -51,8 +51,8 @@ class FileTable:
         filled = np.zeros(len(next(iter(self.columns.values()))), dtype=np.bool_)
         for column in self.columns.values():
             filled |= (column != "") if column.dtype.kind == "U" else ~np.isnan(column.astype(np.float64, copy=False))
-        if filled.all():
-            return self
+            if filled.all():
+                return self
         rows = np.flatnonzero(filled)
         first = 1 if self.places.first_line is None else self.places.first_line
         lines = rows + first if self.places.lines is None else np.asarray(self.places.lines)[rows]

@@ -11,8 +11,9 @@ from numpy.typing import NDArray
 from app.layout import ShirtLayout
 from app.signals.columns import NamedColumns, named_columns, read_table
 from app.signals.csv_dialect import Dialect
+from app.signals.file_table import FileTable
 from app.signals.signals import AS_THE_FILE_SAYS, ReadingOptions, Signals, read_signals
-from app.signals.time_columns import is_counter, time_of_table
+from app.signals.time_columns import TimeColumn, is_counter, time_of_table
 from app.signals.time_names import time_rank
 from app.texts import Text, text_of
 
@@ -53,7 +54,9 @@ def overview(path: Path, layout: ShirtLayout | None = None, options: ReadingOpti
         return _of_recording(read_signals(path, layout))
     named = named_columns(path)
     problem: Text | str | None = None
-    signals = time = table = None
+    signals: Signals | None = None
+    time: TimeColumn | None = None
+    table: FileTable | None = None
     try:
         table = read_table(path)
         signals = read_signals(path, layout, options)
@@ -91,7 +94,7 @@ def _column(
     unit = named.units.get(name, "")
     if values is None:
         return ColumnOverview(name, unit, "text" if name in named.texts else "unused", None, None, None)
-    least, most, missing = _range_of(values.astype(np.float64, copy=False))
+    least, most, missing = _range_of(values)
     role: Role = "unused" if channels else "channel"
     if name == time:
         role = "time"
@@ -108,8 +111,9 @@ def _column(
     return ColumnOverview(name, unit, role, least, most, missing)
 
 
-def _range_of(values: NDArray[np.floating]) -> tuple[float | None, float | None, float]:
+def _range_of(column: NDArray[np.generic]) -> tuple[float | None, float | None, float]:
     """Return the least and the greatest number of a column (n,), and the share of its rows without one."""
+    values = column.astype(np.float64, copy=False)
     numbers = values[np.isfinite(values)]
     missing = 1.0 - len(numbers) / len(values)
     if not len(numbers):

@@ -6,6 +6,7 @@ most of their cells are numbers, and the rows begin at the first line that is li
 """
 
 import csv
+import re
 from collections.abc import Iterator, Sequence
 from itertools import islice, pairwise
 from typing import Final, Literal, NamedTuple
@@ -24,11 +25,13 @@ from app.signals.csv_dialect import (
     without_mark,
 )
 from app.signals.row_places import RowPlaces
+from app.signals.time_names import time_names
 from app.texts import Text
 
 HEAD: Final = 200_000  # bytes of a file by which its form is found
 SAMPLE: Final = 80  # lines at the end of the head
 MOST_ABOVE: Final = 4  # lines above the rows that can belong to the header
+NO_NAME: Final = re.compile(r"Unnamed: \d+")  # pandas calls a column so
 FOLLOWING: Final = 6  # rows of which half must be like the first one
 
 Kind = Literal["number", "moment", "text", "empty"]
@@ -168,16 +171,38 @@ def _share_of_values(rows: Sequence[Sequence[str]], count: int, decimal: str) ->
 
 
 def _first_row(rows: Sequence[Line], dialect: Dialect, width: int) -> int | None:
-    """Return the index of the first line that is a row of the table."""
-    cells = [cells_of(line.text, dialect.separator) for line in rows]
-    of_width = [row for row in cells[-SAMPLE:] if len(row) == width]
+    """Return the index of the first line that is a row of the table.
+
+    A line in front of it that is a row but for some cells is one, too: who reads it says what is wrong with them.
+    """
+    last = [cells_of(line.text, dialect.separator) for line in rows[-SAMPLE:]]
+    of_width = [row for row in last if len(row) == width]
     kinds = _kinds(of_width[-((len(of_width) + 1) // 2) :], width)
-    are_rows = [len(row) == width and _is_row(row, kinds, dialect.decimal) for row in cells]
-    for index, is_first in enumerate(are_rows):
-        following = are_rows[index : index + FOLLOWING]
-        if is_first and 2 * sum(following) >= len(following):
+
+    def is_row(line: Line) -> bool:
+        cells = cells_of(line.text, dialect.separator)
+        return len(cells) == width and _is_row(cells, kinds, dialect.decimal)
+
+    def is_faulty_row(line: Line) -> bool:
+        cells = cells_of(line.text, dialect.separator)
+        return (
+            len(cells) == width
+            and kinds[_first_of(kinds)] == "number"
+            and is_number(cells[_first_of(kinds)], dialect.decimal)
+        )
+
+    for index, line in enumerate(rows):
+        following = rows[index : index + FOLLOWING]
+        if is_row(line) and 2 * sum(map(is_row, following)) >= len(following):
+            while index > 1 and is_faulty_row(rows[index - 1]):
+                index -= 1  # noqa: PLW2901
             return index
     return None
+
+
+def _first_of(kinds: Sequence[Kind]) -> int:
+    """Return the first column of numbers, or else the first one."""
+    return next((column for column, kind in enumerate(kinds) if kind == "number"), 0)
 
 
 def _is_row(row: Sequence[str], kinds: Sequence[Kind], decimal: str) -> bool:
@@ -205,7 +230,7 @@ def _header(above: Sequence[Line], separator: str, width: int) -> tuple[list[str
     """Return the names and the units that stand above the rows; both are empty where no line fits."""
     lines = list(islice(reversed(above), MOST_ABOVE))
     nearest = [_header_cells(line, separator, width) for line in lines]
-    has_units = len(nearest) > 1 and is_units(nearest[0]) and bool(nearest[1])
+    has_units = len(nearest) > 1 and bool(nearest[1]) and (is_units(nearest[0]) or _stand_below(*nearest[:2]))
     units, at = (nearest[0], 1) if has_units else ([], 0)
     if len(nearest) <= at or not nearest[at]:
         return [], []
@@ -214,6 +239,12 @@ def _header(above: Sequence[Line], separator: str, width: int) -> tuple[list[str
         names = _with_groups(names_of(lines[at + 1].text, separator, width)[:width], names)
     units = (units + [""] * len(names))[: len(names)]
     return names, [unit.strip("()[] ") for unit in units]
+
+
+def _stand_below(cells: Sequence[str], names: Sequence[str]) -> bool:
+    """Return whether cells are units that nobody knows: they stand below different names, one of them the time."""
+    are_names = len(set(names)) == len(names) and all(names[1:]) and bool(time_names(names))
+    return are_names and not time_names(cells)
 
 
 def _header_cells(line: Line, separator: str, width: int) -> list[str]:
@@ -225,7 +256,7 @@ def _header_cells(line: Line, separator: str, width: int) -> list[str]:
     if len(cells) not in {width, width - 1} or not any(cells):
         return []
     filled = [cell for cell in cells if cell]
-    return [] if 2 * sum(map(is_like_a_number, filled)) > len(filled) else cells
+    return [] if all(map(is_like_a_number, filled)) else ["" if NO_NAME.fullmatch(cell) else cell for cell in cells]
 
 
 def _with_groups(groups: Sequence[str], names: Sequence[str]) -> list[str]:

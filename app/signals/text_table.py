@@ -7,7 +7,7 @@ missing numbers, columns between blanks) is read line by line, which also finds 
 import csv
 import mmap
 from array import array
-from collections.abc import Collection, Iterator, Sequence
+from collections.abc import Collection, Iterator
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, Final, NamedTuple
 
@@ -27,6 +27,8 @@ if TYPE_CHECKING:
     import pyarrow as pa
 
 TAIL: Final = 100_000  # bytes in which the last line must begin
+COMPARED: Final = 200  # lines in front of the last one, with which it is compared
+FEWEST_COMPARED: Final = 10
 ENDS: Final = b"\0\x1a\r\n"  # what may stand behind the last line
 
 
@@ -70,7 +72,8 @@ def _table_of_content(
     begin = _offset_of_line(content, form.first)
     end = _end_of_rows(content, begin)
     last = _begin_of_last_line(content, begin, end)
-    is_cut = last > begin and _is_cut(content[last:end], form)
+    is_whole = content[end : end + 2].strip(b"\0") != b""
+    is_cut = last > begin and _is_cut(content[max(begin, last - TAIL) : last], content[last:end], is_whole, form)
     rows = memoryview(content)[begin : last if is_cut else end]
     places = RowPlaces(file, form.first + 1)
     if not len(rows):
@@ -91,8 +94,9 @@ def _choice(form: TableForm, file: str, text: Collection[str], only: Collection[
         there = listed([name for name in names if name])
         raise ValueError(Text("signals-columns-missing", place=header, names=listed(sorted(only or ())), there=there))
     if only is None:
-        for index, name in enumerate(names[1:-1], start=1):
-            if not name and form.kinds[index] in {"number", "moment"}:
+        after = next(index for index, name in enumerate(names) if name)  # those in front are indices
+        for index, name in enumerate(names[:-1]):
+            if index > after and not name and form.kinds[index] in {"number", "moment"}:
                 raise ValueError(Text("signals-column-unnamed", place=header, number=index + 1))
         values = [index for index in wanted if form.kinds[index] != "text" or names[index] in text]
         wanted = values if len(values) > 1 else wanted  # a table of words alone is refused at the first of them
@@ -139,15 +143,28 @@ def _begin_of_last_line(content: "bytes | mmap.mmap", begin: int, end: int) -> i
     return max(content.rfind(b"\n", begin, end) + 1, begin)
 
 
-def _is_cut(line: bytes, form: TableForm) -> bool:
-    """Return whether a last line has fewer cells than a row, as a logger leaves it that is switched off."""
-    text = line.decode(UTF_8, "replace")
+def _is_cut(above: bytes, line: bytes, has_end: bool, form: TableForm) -> bool:
+    """Return whether a logger was switched off in the last line: it has fewer cells than a row.
+
+    Without the end of a line, its last number is also cut when it has fewer decimals than each of those above.
+    """
+    text = line.decode(UTF_8, "replace").rstrip("\r")
     if is_comment(text):
         return False
     try:
-        return len(cells_of(text, form.dialect.separator)) < len(form.kinds)
+        cells = cells_of(text, form.dialect.separator)
+        before = [cells_of(each, form.dialect.separator) for each in above.decode(UTF_8, "replace").split("\n")[1:-1]]
     except csv.Error:
         return True
+    if len(cells) < len(form.kinds) or has_end:
+        return len(cells) < len(form.kinds)
+    decimals = [_decimals_of(row[-1], form.dialect.decimal) for row in before[-COMPARED:] if len(row) == len(cells)]
+    return len(decimals) >= FEWEST_COMPARED and _decimals_of(cells[-1], form.dialect.decimal) < min(decimals)
+
+
+def _decimals_of(cell: str, decimal: str) -> int:
+    """Return how many digits stand behind the decimal sign."""
+    return len(cell.strip().partition(decimal)[2])
 
 
 def _read_fast(
@@ -312,5 +329,5 @@ def _without_unused(
 
 def _holds_several(values: NDArray[Any]) -> bool:
     """Return whether numbers (n,) differ."""
-    numbers: Sequence[float] = values[~np.isnan(values)]
-    return len(numbers) > 0 and bool(np.ptp(np.asarray(numbers)) > 0)
+    numbers = values[~np.isnan(values)]
+    return len(numbers) > 0 and bool(np.ptp(numbers) > 0)

@@ -19,7 +19,7 @@ from app.texts import Text
 
 LARGEST = 64_000_000  # bytes
 KINDS = (".csv", ".parquet")
-KEPT = 100  # Parquet files of which the names are in memory: the list is asked for by every page
+KEPT = 100  # files of which the names are in memory: the list is asked for by every page
 
 FileKind = Literal["signals", "body", "head", "recording"]
 HEAD_COLUMNS = {"yaw_deg", "pitch_deg", "roll_deg"}
@@ -44,11 +44,7 @@ def list_files(folder: Path, computing: ComputingProcess) -> list[FileView]:
             files.append(FileView(name=file.name, kind="recording", size=size))
         elif file.is_file() and file.suffix in KINDS:
             status = file.stat()
-            if file.suffix == ".parquet":
-                columns = _names_of_file(computing, file, status.st_mtime_ns, status.st_size)
-            else:
-                with file.open("rb") as opened:
-                    columns = _csv_names(opened.read(HEAD))
+            columns = _names_of_file(computing, file, status.st_mtime_ns, status.st_size)
             if columns is not None:
                 files.append(FileView(name=file.name, kind=_kind(columns), size=status.st_size))
     return files
@@ -98,8 +94,11 @@ def harmless_name(name: str) -> str:
 
 @lru_cache(maxsize=KEPT)
 def _names_of_file(computing: ComputingProcess, file: Path, _changed: int, _size: int) -> list[str] | None:
-    """Return the names of a Parquet file's columns; the same for as long as the file was not changed."""
-    return _parquet_names(computing, file)
+    """Return the names of a file's columns; the same for as long as the file was not changed."""
+    if file.suffix == ".parquet":
+        return _parquet_names(computing, file)
+    with file.open("rb") as opened:
+        return _csv_names(opened.read(HEAD))
 
 
 def _parquet_names(computing: ComputingProcess, source: Path | bytes) -> list[str] | None:

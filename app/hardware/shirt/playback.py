@@ -15,6 +15,7 @@ from app.hardware.base import HardwareError
 from app.hardware.body.minimum_jerk import minimum_jerk
 from app.layout import Channel, Joint, ShirtLayout
 from app.sentences import one_sentence
+from app.signals.column_names import bare_name
 from app.texts import Text, text_of
 
 if TYPE_CHECKING:
@@ -57,7 +58,7 @@ def read_frames(path: str | Path, options: "ReadingOptions | None" = None) -> Fr
 
 
 def layout_from_names(path: Path, names: Sequence[str]) -> ShirtLayout:
-    """Return a layout for channels that are named after their joints: right_elbow_1, right_elbow_2 ...
+    """Return a layout for channels that are named after their joints, apart from a unit: right_elbow_1 [mV] ...
 
     Raises
     ------
@@ -66,11 +67,12 @@ def layout_from_names(path: Path, names: Sequence[str]) -> ShirtLayout:
     """
     channels = []
     for name in names:
-        match = CHANNEL_OF_JOINT.fullmatch(name)
+        bare, _ = bare_name(name)
+        match = CHANNEL_OF_JOINT.fullmatch(bare)
         if match is None:
             layout = f"{path.stem}.layout.json"
             raise ValueError(Text("shirtdev-file-no-joint", file=str(path), column=name, layout=layout))
-        channels.append(Channel(name=name, joint=match["joint"]))
+        channels.append(Channel(name=bare, joint=match["joint"]))
     joints = tuple(dict.fromkeys(channel.joint for channel in channels))
     return ShirtLayout(
         name=path.stem[:80],
