@@ -5,29 +5,8 @@ from typing import Final
 
 MISSING: Final = frozenset(
     (
-        *(
-            "<na>",
-            "(null)",
-            "undefined",
-            "nd",
-            "n.d.",
-            "",
-            "nan",
-            "-nan",
-            "na",
-            "n/a",
-            "n.a.",
-            "nil",
-            "nat",
-            "null",
-            "none",
-            "missing",
-            "?",
-            ".",
-            "-",
-            "--",
-            "---",
-        ),
+        *("", "nan", "-nan", "na", "n/a", "n.a.", "nd", "n.d.", "nil", "nat", "null", "none", "missing", "undefined"),
+        *("<na>", "(null)", "?", ".", "-", "--", "---"),
         *("nan(ind)", "-nan(ind)", "1.#qnan", "-1.#qnan", "1.#ind", "-1.#ind"),  # what programs in C write
         *("#n/a", "#na", "#div/0!", "#value!", "#num!", "#ref!", "#name?", "#null!"),  # spreadsheets, English
         *("#nv", "#wert!", "#zahl!", "#bezug!"),  # German

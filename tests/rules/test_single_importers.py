@@ -35,6 +35,7 @@ EXCEPTIONS: dict[str, tuple[str, ...]] = {
         "app.scene.plots",
         "app.scoring.decimation",
         "app.session.adaptation_reading",
+        "app.signals.clock_times",
         "app.signals.text_table",
         "app.world.imports.dxf_lines",
     ),
@@ -49,7 +50,6 @@ EXCEPTIONS: dict[str, tuple[str, ...]] = {
         "app.world.imports.dxf",
         "app.world.imports.image",
     ),
-    "what moments are written like is read apart from the tables that hold them": ("app.signals.clock_times",),
     "what is accepted of foreign files is read apart from the routes of the clinic's own plans": (
         "app.api.routes.plan_uploads",
     ),
