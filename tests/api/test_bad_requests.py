@@ -76,6 +76,27 @@ def test_a_bad_file_does_not_take_the_place_of_a_good_one(signed_in: Any, settin
     assert [file["name"] for file in signed_in.good("GET", "/equipment")["files"]] == ["walk.csv"]
 
 
+@pytest.mark.parametrize(
+    ("content", "status"),
+    [
+        (b"# logger 1.2, 50 Hz\nTime (s);A [mV]\n0,00;1,5\n0,02;1,6\n", 201),
+        ("Zeit in ms\tKraft µN\n0\t1\n20\t2\n".encode("utf-16"), 201),
+        (b",t,A,\n0,0.00,1,\n1,0.02,2,\n", 201),
+        (b"force,A\n1,2\n", 422),
+        (b"t\n1\n", 422),
+        (b"\x89PNG\r\n\0", 422),
+    ],
+)
+def test_a_recording_of_another_program_is_kept_when_it_has_times_and_channels(
+    signed_in: Any, content: bytes, status: int
+) -> None:
+    files = {"file": ("other.csv", io.BytesIO(content), "text/csv")}
+    assert signed_in("POST", "/equipment/files", files=files).status_code == status
+    if status == 201:
+        (file,) = signed_in.good("GET", "/equipment")["files"]
+        assert (file["name"], file["kind"]) == ("other.csv", "signals")
+
+
 def test_a_body_that_does_not_fit_leaves_the_shirt_before(signed_in: Any) -> None:
     before = signed_in.good("GET", "/equipment")
     signed_in.process.refuse["body"] = "This body has no joint of that shirt: choose another body."

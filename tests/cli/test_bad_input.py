@@ -75,7 +75,7 @@ def test_without_a_word_the_help_is_shown(bodydrive):
         (b"t,right_elbow_0\r0,1\r", "its lines end in carriage returns alone"),
         (b't,"right\rleft"\n', "its lines end in carriage returns alone"),
         (b"t,right_elbow_0", "no row below the header"),
-        ("t,a\n0,1\n".encode("utf-16"), "not in UTF-8"),
+        ("t,a\n0,1\n".encode("utf-16"), "channel right_elbow_0, right_elbow_1"),
         (b"a" * 50_000 + b"\n1\n", "only aaaaaaaaaaaaaaaaaaaaaaaaaaaaaa..., add them"),
         ("t,right_elbow_0\n0,\u0663\n".encode(), "'\u0663' is not a number"),
         (b"t,right_elbow_0\n0,a\x1b[31m\n", "'a [31m' is not a number"),

@@ -64,7 +64,16 @@ MAY_IMPORT = {
     "host": (LEAVES,),
     "scene": (LEAVES, "world"),
     "api": (
-        *(LEAVES, "process", "signals.csv_dialect", "signals.parquet_names", "world", "calibration", "scoring"),
+        *(
+            LEAVES,
+            "process",
+            "signals.parquet_names",
+            "signals.table_form",
+            "signals.time_names",
+            "world",
+            "calibration",
+            "scoring",
+        ),
         *("recording.recorded_trajectory", "store", "session", "host", "scene"),
         *("hardware.configs", "hardware.addresses", "hardware.chair.key", "hardware.shirt.kind", REGISTRATION),
     ),

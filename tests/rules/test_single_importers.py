@@ -38,6 +38,8 @@ EXCEPTIONS: dict[str, tuple[str, ...]] = {
         "app.scene.plots",
         "app.scoring.decimation",
         "app.session.adaptation_reading",
+        "app.signals.clock_times",
+        "app.signals.text_table",
         "app.world.imports.dxf_lines",
     ),
     "the application puts its parts together; what surrounds every request, and the answers to exceptions, are apart": (
