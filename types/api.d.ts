@@ -7150,7 +7150,7 @@ export interface components {
         };
         News: {
             /** @enum {string} */
-            what: "adaptation" | "backups" | "calibration" | "comment" | "consent" | "controls" | "disk" | "drive" | "equipment" | "graphics" | "record" | "screens" | "session" | "shares" | "test" | "trial";
+            what: "adaptation" | "backups" | "calibration" | "comment" | "consent" | "controls" | "disk" | "drive" | "equipment" | "graphics" | "phones" | "record" | "screens" | "session" | "shares" | "test" | "trial";
             /** @default null */
             patient: number | null;
             /** @default null */
