@@ -37,7 +37,7 @@ logger = logging.getLogger("bodydrive")
 
 Opener = SignedInPerson | PairedScreen | PairedPhone
 """Who opens a websocket."""
-Who = TypeVar("Who", bound=Opener)
+Who = TypeVar("Who")
 Find = Callable[[Database, HTTPConnection], Who | None]
 Sees = Callable[[Opener], bool]
 """Returns whether somebody may see what a websocket shows, which may change while it is open."""

@@ -34,7 +34,7 @@ def _seconds(match: re.Match[str], day_first: bool) -> float:
         return np.nan
     if match["noon"]:
         hour = hour % 12 + (12 if match["noon"].lower() == "pm" else 0)
-    part = int(match["part"] or 0) / 10 ** len(match["part"] or "")
+    part: float = int(match["part"] or 0) / 10 ** len(match["part"] or "")
     in_day = 3600.0 * hour + 60.0 * minute + second - _zone(match["zone"])
     try:
         day = 0.0 if date is None else datetime(*date, tzinfo=UTC).timestamp()

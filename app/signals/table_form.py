@@ -137,8 +137,8 @@ def _without_rows(filled: Sequence[Line], rows: Sequence[Line], dialect: Dialect
     if below:
         raise ValueError(Text("signals-no-numbers", file=file))
     units = [unit for _, unit in bare_names(names)]
-    kinds: tuple[Kind, ...] = ("empty",) * len(names)
-    return TableForm(dialect, tuple(names), tuple(units), kinds, header.number + 1, True)
+    kinds: list[Kind] = ["empty"] * len(names)
+    return TableForm(dialect, tuple(names), tuple(units), tuple(kinds), header.number + 1, True)
 
 
 def _dialect_of(sample: Sequence[Line], encoding: str) -> tuple[Dialect, int]:

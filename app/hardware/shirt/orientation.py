@@ -36,7 +36,8 @@ def unit_quaternion(x: float, y: float, z: float, w: float) -> Rotations | None:
 
 def inverse(q: Rotations) -> Rotations:
     """Return the inverse rotations (..., 4)."""
-    return q * _INVERSE
+    inverted: Rotations = q * _INVERSE
+    return inverted
 
 
 def product(p: Rotations, q: Rotations) -> Rotations:
@@ -77,7 +78,8 @@ def nearest_vector(vector: Rotations, before: Rotations) -> Rotations:
     has_axis, had_axis = angle > 0.0, angle_before > 0.0
     axis = np.where(has_axis, vector / np.where(has_axis, angle, 1.0), before / np.where(had_axis, angle_before, 1.0))
     turns = np.round(((before * axis).sum(axis=-1, keepdims=True) - angle) / math.tau)
-    return vector + axis * (math.tau * turns)
+    nearest: Rotations = vector + axis * (math.tau * turns)
+    return nearest
 
 
 def angle_between(p: Rotations, q: Rotations) -> NDArray[np.float64]:

@@ -47,7 +47,7 @@ class StreamSamples:
         self.newest = -math.inf  # s, the time of the newest sample
         self._held_t = -math.inf
         self._missing: Sequence[float] = [math.nan] * channels
-        self._held = self._missing
+        self._held: Sequence[float] = self._missing
 
     def add(self, sample: Sample) -> None:
         """Add the next sample; a time far behind the newest is another clock's, whose samples alone count."""

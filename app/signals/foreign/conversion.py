@@ -28,7 +28,7 @@ def converted(path: Path, kind: ForeignKind) -> FileTable | bytes:
 def _converted(file: str, kind: str, _changed: int, _size: int) -> FileTable | bytes:
     with TemporaryDirectory() as folder:
         answer = read_isolated("app.signals.foreign.foreign_reading", {"file": file, "kind": kind, "folder": folder})
-        table = Path(folder) / answer["table"]
+        table = Path(folder, str(answer["table"]))
         if answer["table"] != PARQUET:
             return table.read_bytes()
         read = read_parquet_table(table, (), None)

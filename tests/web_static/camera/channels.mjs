@@ -64,7 +64,10 @@ const areAlike = (one, other, what, near = NEAR) => {
 
 // Angles of a drawn skeleton are those that it was drawn with.
 for (const degrees of [0, 20, 60, 90, 140]) {
-  const arms = [{ bend: degrees, lift: 30 }, { bend: 140 - degrees, lift: 80, plane: TO_LEFT }];
+  const arms = [
+    { bend: degrees, lift: 30 },
+    { bend: 140 - degrees, lift: 80, plane: TO_LEFT },
+  ];
   const { left_elbow_bend, right_elbow_bend, left_elbow_lift, right_elbow_lift } = read(person({ arms }));
   isNear(left_elbow_bend, degrees * RADIANS, "left bend");
   isNear(right_elbow_bend, (140 - degrees) * RADIANS, "right bend");
@@ -116,7 +119,10 @@ for (let i = 0; i < 200; i++) {
   const leaning = read(person({ ...pose, side: 25 }));
   assert.ok(Math.abs(leaning.trunk_side) > Math.abs(upright.trunk_side));
   areAlike({ ...leaning, trunk_side: 0 }, { ...upright, trunk_side: 0 }, "leaning to the side");
-  assert.ok(Object.values(upright).every((value) => Math.abs(value) < 10), "no value is larger than the server takes");
+  assert.ok(
+    Object.values(upright).every((value) => Math.abs(value) < 10),
+    "no value is larger than the server takes",
+  );
 }
 
 // What is not visible is missing, with all that is measured by it, and nothing else.
