@@ -20,7 +20,7 @@ from app.hardware.shirt.lsl_streams import (
     sought_of,
     streams_in,
 )
-from app.hardware.shirt.stream_join import GridRows, LedRows, Row, Rows, Sample, StreamSamples
+from app.hardware.shirt.stream_join import GridRows, LedRows, Row, Rows, StreamSample, StreamSamples
 from app.layout import ShirtLayout
 from app.lsl_library import LSL_MISSING, LslInfo, LslInlet, LslLibrary, load_lsl, lsl_ahead
 from app.messages import ALIVE, SensorFrame
@@ -185,7 +185,7 @@ class ReceivedStream:
     def _add(self, values: Iterable[float], stamp: float) -> None:
         self._heard = now = self._now()
         if math.isfinite(stamp):
-            self.samples.add(Sample(stamp + self._correction, tuple(values), now))
+            self.samples.add(StreamSample(stamp + self._correction, tuple(values), now))
 
     def _drop(self) -> None:
         inlets, self._inlets = self._inlets, []

@@ -28,7 +28,7 @@ class Row(NamedTuple):
     values: NDArray[np.float32]  # (n_channels,)
 
 
-class Sample(NamedTuple):
+class StreamSample(NamedTuple):
     """A sample of one stream."""
 
     t: float  # s, when it was measured
@@ -43,13 +43,13 @@ class StreamSamples:
         """`rate` (Hz) is the stream's own when it `is_regular`, otherwise the one that is expected of it."""
         self.period = 1.0 / rate
         self.is_regular = is_regular
-        self.waiting: deque[Sample] = deque(maxlen=MOST_WAITING)
+        self.waiting: deque[StreamSample] = deque(maxlen=MOST_WAITING)
         self.newest = -math.inf  # s, the time of the newest sample
         self._held_t = -math.inf
         self._missing: Sequence[float] = [math.nan] * channels
         self._held: Sequence[float] = self._missing
 
-    def add(self, sample: Sample) -> None:
+    def add(self, sample: StreamSample) -> None:
         """Add the next sample; a time far behind the newest is another clock's, whose samples alone count."""
         if sample.t < self.newest - LONGEST_LAG:
             self.waiting.clear()
@@ -159,7 +159,7 @@ class LedRows:
         awaited = self._awaited(sample)
         return awaited, 0.0 if awaited is None else max(0.0, sample.arrived + PATIENCE - now)
 
-    def _awaited(self, sample: Sample) -> int | None:
+    def _awaited(self, sample: StreamSample) -> int | None:
         """Return another stream that the row of a sample of the leader waits for, None when all have come."""
         for i, stream in enumerate(self._streams):
             if i != self._leader and not stream.is_complete(sample.t, self._half):

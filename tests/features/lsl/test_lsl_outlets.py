@@ -1,20 +1,14 @@
 """What is sent over LSL: every tick with its time, gestures by their names, marks of trials, cues and stops."""
 
-import asyncio
-import sys
-from types import SimpleNamespace
-
 import numpy as np
 import pytest
-from api.fake_clinic import until
 from fake_clock import FakeClock
+from features.lsl.lsl_ring import Names, Ring, described
 from hardware.shirt.fake_lsl import FakeLsl
 from hardware.shirt.lsl_networks import ANSWER, networks
 
-from app import features
 from app.cues import Cue
 from app.faults import Fault, State
-from app.features.lsl import service
 from app.features.lsl.outlets import (
     GESTURE,
     TICKS,
@@ -26,55 +20,13 @@ from app.features.lsl.outlets import (
     tick_samples,
     ticks_stream,
 )
-from app.features.lsl.service import NAMED_WITHIN, LslOutlets, TickSender
+from app.features.lsl.service import NAMED_WITHIN, TickSender
 from app.lsl_library import OWN_SOURCE, lsl_ahead
 from app.messages import MAX_GESTURES, NO_CUE, TICK
 
 RATE = 100.0
 
 network = pytest.fixture(scope="module", name="network")(networks)
-
-
-class Ring:
-    """The ticks of a control process, as the control link gives them."""
-
-    def __init__(self):
-        self.ticks = np.empty(0, dtype=TICK)
-        self.alive = True
-
-    def add(self, t, **fields):
-        tick = np.zeros(1, dtype=TICK)
-        tick["number"], tick["t"], tick["cue"] = len(self.ticks) + 1, t, NO_CUE
-        for name, value in fields.items():
-            tick[name] = value
-        self.ticks = np.concatenate((self.ticks, tick))
-
-    def newest(self):
-        return self.ticks[-1] if self.alive and len(self.ticks) else None
-
-    def since(self, number):
-        return self.ticks[self.ticks["number"] > number] if self.alive else None
-
-    def begin_anew(self):
-        self.ticks, self.alive = np.empty(0, dtype=TICK), True
-
-
-class Names:
-    """What the web process knows, for tests to change."""
-
-    def __init__(self):
-        self.runs = {}
-        self.cues = {}
-        self.decoded = ["lean", "shrug"]
-
-    def name_of(self, run):
-        return self.runs.get(run)
-
-    def cue_of(self, run, index):
-        return self.cues[run][index] if run in self.cues else None
-
-    def gestures(self):
-        return self.decoded
 
 
 class Sent:
@@ -105,14 +57,6 @@ class Sent:
 @pytest.fixture
 def sent():
     return Sent()
-
-
-def described(info):
-    channel, found = info.desc().child("channels").child("channel"), []
-    while not channel.empty():
-        found.append((channel.child_value("label"), channel.child_value("unit")))
-        channel = channel.next_sibling("channel")
-    return found
 
 
 def test_every_tick_is_sent_once_with_its_time_on_the_clock_of_lsl(sent):
@@ -334,94 +278,3 @@ def test_what_pylsl_receives_is_what_was_driven(network):
     row, _ = inlets["Gestures"].pull_sample(ANSWER)
     assert len(row) == 3 * len(names.decoded)
     assert described(inlets["Control"].info(ANSWER)) == list(TICKS)
-
-
-def outlets(is_chosen, load):
-    return LslOutlets(Ring(), Names(), is_chosen=is_chosen, clock=FakeClock(), load=load)
-
-
-def run_for_a_moment(part):
-    async def run():
-        part.start()
-        await asyncio.sleep(0)
-        await part.close()
-
-    asyncio.run(run())
-
-
-def test_nothing_is_loaded_unless_it_was_chosen():
-    def load():
-        raise AssertionError("loaded")
-
-    run_for_a_moment(outlets(False, load))
-
-
-def test_it_begins_and_ends_with_the_program_and_a_missing_library_is_logged(caplog):
-    lsl = FakeLsl(FakeClock())
-    run_for_a_moment(outlets(True, lambda: lsl))
-    assert {outlet.info.type() for outlet in lsl.outlets} >= {"Control", "Markers"}
-
-    def missing():
-        raise RuntimeError("no liblsl")
-
-    run_for_a_moment(outlets(True, missing))
-    assert "Nothing is sent over LSL" in caplog.text
-
-
-@pytest.mark.parametrize("missing", ["library", "feature"])
-def test_serve_refuses_in_one_sentence_what_it_cannot_send(bodydrive, monkeypatch, missing):
-    if missing == "library":
-        monkeypatch.setitem(sys.modules, "pylsl", None)
-    else:
-        monkeypatch.setattr(features, "NEEDS", {name: needs for name, needs in features.NEEDS.items() if name != "lsl"})
-    code, _, said = bodydrive("serve", "--lsl", "--state", "clinic")
-    assert code == 2
-    assert said == (
-        "bodydrive: LSL is not installed completely: install the packages pylsl and liblsl, then try again\n"
-    )
-
-
-@pytest.fixture
-def received(settings, monkeypatch):
-    """Return what a clinic sends that was started with `--lsl`."""
-    lsl = FakeLsl(FakeClock())
-    monkeypatch.setattr(service, "load_lsl", lambda: lsl)
-    object.__setattr__(settings, "lsl", True)
-    return lsl
-
-
-def test_a_trial_of_the_running_program_is_marked_with_its_id(received, calibrated):
-    def marked(what):
-        sent = [outlet.sent for outlet in received.outlets if outlet.info.type() == "Markers"]
-        return [row[0] for _, row in sent[0] if row[0].startswith(what)]
-
-    calibrated.start_trial()
-    until(lambda: marked("start trial"))
-    trial = calibrated.end_trial()
-    until(lambda: marked("end trial"))
-    assert marked("start trial") == [f"start trial {trial['id']}"]
-    assert marked("end trial") == [f"end trial {trial['id']}"]
-    (gestures,) = [outlet.info for outlet in received.outlets if outlet.info.type() == "Gestures"]
-    assert ("activation.right_elbow", "1") in described(gestures)
-
-
-def test_runs_and_gestures_have_the_names_of_the_session():
-    from app.features.lsl.feature import SessionNames
-    from app.session.open_session import SessionFlow
-    from app.session.real_drive import RealDriveFlow
-    from app.session.runs import SessionRuns
-    from app.session.trial import TrialFlow
-
-    run = SimpleNamespace(number=3, kind="drive", cues=(Cue(start=0.0, end=1.0, kind="rest"),))
-    nobody = SimpleNamespace(current=None)
-    runs, trials, session = SimpleNamespace(open=run), SimpleNamespace(current=None), SimpleNamespace(loaded=None)
-    names = SessionNames({SessionRuns: runs, TrialFlow: trials, RealDriveFlow: nobody, SessionFlow: session})
-    assert names.name_of(3) is None, "a drive run has its name once the trial is there"
-    trials.current = SimpleNamespace(id=12, run=run)
-    assert (names.name_of(3), names.name_of(4)) == ("trial 12", None)
-    assert (names.cue_of(3, 0), names.cue_of(3, 1), names.cue_of(4, 0)) == (run.cues[0], None, None)
-    runs.open, trials.current = SimpleNamespace(number=5, kind="rest", cues=()), None
-    assert names.name_of(5) == "recording rest"
-    assert names.gestures() == []
-    session.loaded = SimpleNamespace(gestures=[SimpleNamespace(name="nod")])
-    assert names.gestures() == ["nod"]

@@ -16,7 +16,7 @@ from app.hardware.shirt.stream_join import (
     EvenTimes,
     GridRows,
     LedRows,
-    Sample,
+    StreamSample,
     StreamSamples,
 )
 
@@ -28,7 +28,7 @@ def stream(rate=100.0, channels=1, *, is_regular=True):
 
 
 def put(one, t, *values, arrived=None):
-    one.add(Sample(t, values, t if arrived is None else arrived))
+    one.add(StreamSample(t, values, t if arrived is None else arrived))
 
 
 def all_rows(rows, now):
