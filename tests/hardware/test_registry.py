@@ -58,25 +58,25 @@ def test_every_source_of_frames_declares_whether_it_may_arm_a_real_chair():
     """Safety S29: whoever adds a kind of shirt, or changes its trust, changes this table."""
     assert {kind.name: (kind.trust, kind.simulated) for kind in SHIRTS.values()} == {
         "simulator": (Trust.NEVER, True),
-        "replay": (Trust.NEVER, True),
-        "serial": (Trust.WIRED, False),
-        "udp": (Trust.WITH_KEY, False),
         "camera": (Trust.NEVER, False),
-        "slimevr": (Trust.NEVER, False),
         "phones": (Trust.NEVER, False),
+        "slimevr": (Trust.NEVER, False),
+        "serial": (Trust.WIRED, False),
         "lsl": (Trust.NEVER, False),
+        "udp": (Trust.WITH_KEY, False),
+        "replay": (Trust.NEVER, True),
     }
     udp = {"kind": "udp", "layout": small_layout().model_dump(mode="json")}
     for document, why in (
         ({"kind": "simulator"}, NOBODY_WEARS_IT),
-        ({"kind": "replay", "file": "a"}, NOBODY_WEARS_IT),
+        ({"kind": "camera"}, NOBODY_PROVES_IT),
+        ({"kind": "phones"}, NOBODY_PROVES_IT),
+        ({"kind": "slimevr"}, NOBODY_PROVES_IT),
         ({"kind": "serial"}, None),
+        ({"kind": "lsl"}, NOBODY_PROVES_IT),
         (udp, NO_KEY),
         ({**udp, "key_file": "shirt-1.key"}, None),
-        ({"kind": "camera"}, NOBODY_PROVES_IT),
-        ({"kind": "slimevr"}, NOBODY_PROVES_IT),
-        ({"kind": "phones"}, NOBODY_PROVES_IT),
-        ({"kind": "lsl"}, NOBODY_PROVES_IT),
+        ({"kind": "replay", "file": "a"}, NOBODY_WEARS_IT),
     ):
         assert SHIRTS[document["kind"]].mistrust(parse_shirt(document)) == why
     assert "bodydrive shirt pair" in str(NO_KEY)
@@ -119,9 +119,12 @@ def test_the_documents_of_the_protocol_are_understood():
 @pytest.mark.parametrize(
     ("document", "words"),
     [
-        (None, 'needs a "kind": give one of simulator, replay, serial, udp'),
+        (None, 'needs a "kind": give one of simulator, camera, phones, slimevr, serial, lsl, udp, replay'),
         ({}, 'needs a "kind"'),
-        ({"kind": "silk"}, "no shirt of the kind 'silk': use one of simulator, replay, serial, udp"),
+        (
+            {"kind": "silk"},
+            "no shirt of the kind 'silk': use one of simulator, camera, phones, slimevr, serial, lsl, udp, replay",
+        ),
         ({"kind": "simulator", "sample_rate": float("nan")}, "sample_rate"),
         ({"kind": "simulator", "sample_rate": 1}, "sample_rate"),
         ({"kind": "simulator", "sample_rate": "100"}, "sample_rate"),

@@ -27,7 +27,7 @@ class PlacedSensorsConfig(ShirtConfig):
     """Which sensor is on which part of the body."""
 
     sample_rate: ShirtRate = 50.0
-    from_neighbour: Annotated[bool, FieldTexts(Text("shirtdev-from-neighbour"))] = False
+    from_neighbour: Annotated[bool, FieldTexts(Text("shirtdev-from-neighbour"))] = True
     trunk: Annotated[PlacedSensor, FieldTexts(Text("shirtdev-part-trunk"), Text("shirtdev-trunk-hint"))] = None
     chair: Annotated[PlacedSensor, FieldTexts(Text("shirtdev-part-chair"), Text("shirtdev-chair-hint"))] = None
     head: Annotated[PlacedSensor, FieldTexts(Text("shirtdev-part-head"))] = None

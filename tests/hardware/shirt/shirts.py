@@ -99,6 +99,8 @@ class UdpCase:
 class LslCase:
     """A stream of LSL, and the network that it comes from."""
 
+    rate = RATE
+
     def __init__(self, _tmp_path):
         self.clock = FakeClock(50.0)
         self.lsl = FakeLsl(self.clock)
@@ -120,6 +122,7 @@ class FramesCase:
     """The shirt on a cable, and a board that sends frames on a pseudo terminal."""
 
     format = "frames"
+    rate = RATE
 
     def __init__(self, _tmp_path, clock=None):
         self.clock = clock or MonotonicClock()

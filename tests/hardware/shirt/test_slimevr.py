@@ -158,8 +158,9 @@ def test_a_wrong_configuration_is_one_sentence(fields, words):
     assert "\n" not in str(refused.value)
 
 
-def test_the_form_names_each_part_of_the_body():
+def test_the_form_names_each_part_of_the_body_and_measures_it_from_its_neighbour():
     form = SlimeVrConfig.model_json_schema()
+    assert form["properties"]["from_neighbour"]["default"] is True
     assert form["properties"]["left_forearm"]["title"] == "Left forearm"
     assert form["properties"]["left_forearm"]["format"] == "tracker"
     assert form["properties"]["from_neighbour"]["title"] == "Measure each part from its neighbour"

@@ -43,8 +43,8 @@ shirtdev-slimevr-title = Tracker (SlimeVR)
 shirtdev-slimevr-about = Kleine Lagesensoren an Körperteilen, über das Funknetz; auch Telefone mit owoTrack.
 shirtdev-slimevr-in-use = Tracker auf Port { $port }
 shirtdev-slimevr-host-hint = 0.0.0.0 steht für alle Netze dieses Rechners: Dort suchen ihn die Tracker.
-shirtdev-trunk-hint = Sensoren, die senden, stehen zur Wahl. Arme und Beine werden von diesem aus gemessen.
-shirtdev-chair-hint = Ohne Sensor am Rumpf werden die anderen von diesem aus gemessen.
+shirtdev-trunk-hint = Sensoren, die senden, stehen zur Wahl. Kopf, Oberarme und Oberschenkel werden von diesem aus gemessen.
+shirtdev-chair-hint = Ohne Sensor am Rumpf tritt dieser an dessen Stelle.
 # A limb: an arm or a leg. Its neighbour is the next part towards the trunk, such as the upper arm for the forearm.
 shirtdev-from-neighbour = Jedes Körperteil von seinem Nachbarn aus messen
 # Parts of the body that wear a tracker: the label of a field, and in lists.

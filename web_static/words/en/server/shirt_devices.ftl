@@ -43,8 +43,8 @@ shirtdev-slimevr-title = Trackers (SlimeVR)
 shirtdev-slimevr-about = Small sensors of orientation on parts of the body, over the wireless network; phones with owoTrack, too.
 shirtdev-slimevr-in-use = Trackers on port { $port }
 shirtdev-slimevr-host-hint = 0.0.0.0 is every network of this machine: trackers look for it there.
-shirtdev-trunk-hint = Sensors that send are offered. Arms and legs are measured from this one.
-shirtdev-chair-hint = Without a sensor on the trunk, the others are measured from this one.
+shirtdev-trunk-hint = Sensors that send are offered. Head, upper arms and thighs are measured from this one.
+shirtdev-chair-hint = Without a sensor on the trunk, this one stands in for it.
 # A limb: an arm or a leg. Its neighbour is the next part towards the trunk, such as the upper arm for the forearm.
 shirtdev-from-neighbour = Measure each part from its neighbour
 # Parts of the body that wear a tracker: the label of a field, and in lists.

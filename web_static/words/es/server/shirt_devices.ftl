@@ -43,8 +43,8 @@ shirtdev-slimevr-title = Rastreadores (SlimeVR)
 shirtdev-slimevr-about = Pequeños sensores de orientación en partes del cuerpo, por la red inalámbrica; también teléfonos con owoTrack.
 shirtdev-slimevr-in-use = Rastreadores en el puerto { $port }
 shirtdev-slimevr-host-hint = 0.0.0.0 son todas las redes de este equipo: allí lo buscan los rastreadores.
-shirtdev-trunk-hint = Se ofrecen los sensores que envían. Brazos y piernas se miden desde este.
-shirtdev-chair-hint = Sin un sensor en el tronco, los demás se miden desde este.
+shirtdev-trunk-hint = Se ofrecen los sensores que envían. Cabeza, brazos y muslos se miden desde este.
+shirtdev-chair-hint = Sin un sensor en el tronco, este lo sustituye.
 # A limb: an arm or a leg. Its neighbour is the next part towards the trunk, such as the upper arm for the forearm.
 shirtdev-from-neighbour = Medir cada parte desde su vecina
 # Parts of the body that wear a tracker: the label of a field, and in lists.
