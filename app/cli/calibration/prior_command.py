@@ -251,7 +251,7 @@ def import_prior(
     document = read_document(prior)
     if not isinstance(document, OwnPrior):
         raise InputError(Text("cli-prior-import-release", prior=str(prior)))
-    shirt = Garment(document.layout, False, None).hash
+    shirt = Garment(document.layout, "worn", None).hash
     with open_clinic(settings) as (database, _), database.transaction() as db:
         _require_clinic(db, settings)
         if not is_prior_on(db):
@@ -280,7 +280,7 @@ def _own_prior(db: "Transaction", layout: "ShirtLayout", *, to_share: bool) -> "
     from app.features.prior.entries import releases_of, without_releases, worn_entries
     from app.session.calibration.garment import Garment
 
-    shirt = Garment(layout, False, None).hash
+    shirt = Garment(layout, "worn", None).hash
     entries = worn_entries(db, shirt, to_share=to_share)
     if not entries:
         count = len(worn_entries(db, shirt, to_share=False))
@@ -312,7 +312,7 @@ def _write_release(db: "Transaction", own_prior: "OwnPrior", out: Path, layout: 
         document, people, left_out = release([own_prior])
     except PriorError as error:
         raise InputError(Text("cli-prior-no-release", problem=error)) from error
-    shirt = Garment(own_prior.layout, False, None).hash
+    shirt = Garment(own_prior.layout, "worn", None).hash
     for code in own_prior.people:
         _mark_released(db, code, shirt, people)
     write_output(out, bytes_of(document), layout)

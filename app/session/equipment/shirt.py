@@ -14,6 +14,7 @@ from app.refusals import Conflict, NotFound, Refusal, Unavailable
 from app.session.control_link import ControlLink
 from app.session.equipment.choice import ClinicChoice, without_folders
 from app.session.equipment.pairing import shirt_key_files
+from app.source import UNKNOWN, SourceGroup, source_group
 from app.store.database import Database, Transaction
 from app.store.tables import Clinic
 from app.texts import Text, from_document, text_of
@@ -81,6 +82,11 @@ class Equipment(ClinicChoice):
     def simulated(self) -> bool | None:
         """Return whether nobody wears the chosen shirt, None before the first choice."""
         return None if self.kind is None else SHIRTS[self.kind].simulated
+
+    @property
+    def group(self) -> SourceGroup:
+        """Return the group of sources that the chosen shirt belongs to, "unknown" before the first choice."""
+        return source_group(self.kind or UNKNOWN, self.simulated)
 
     @property
     def seed(self) -> int | None:

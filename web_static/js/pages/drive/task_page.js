@@ -36,8 +36,7 @@ export async function showTask(app, root, patient, named, left) {
  */
 async function taskStore(app, patient, [floorplan, path], left) {
   const mayDrive = app.me?.role !== "reviewer";
-  const source = app.practice ? "simulated" : "worn";
-  const readProposal = () => app.api.get(`/patients/${patient}/next-task?source=${source}`);
+  const readProposal = () => app.api.get(`/patients/${patient}/next-task`);
   const [plans, proposal, equipmentNow, chairs, screensNow] = await Promise.all([
     app.api.get("/floorplans"),
     readProposal(),
