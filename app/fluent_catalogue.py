@@ -3,7 +3,8 @@
 Only `app/texts.py` imports it, when the first sentence is made: the control process makes none.
 """
 
-from collections.abc import Sequence
+import re
+from collections.abc import Mapping, Sequence
 from datetime import date, datetime, time
 from decimal import localcontext
 from functools import cache
@@ -24,17 +25,22 @@ DIGITS: Final = 350  # of the largest number with its decimals: Babel refuses to
 LOCALES: Final = {"en": "en_GB"}  # for dates and lists, where it is not the language: "a, b and c"
 DAYS: Final = {"en": "yyyy-MM-dd"}  # how a day is written, where it is not the usual way of the language
 HELP: Final = "command_help.ftl"  # read without Fluent (app/cli/help_text.py)
+ENTRIES: Final = re.compile(r"^(?=[-A-Za-z#])", re.MULTILINE)  # where a message, a term or a comment begins
+REFERENCE: Final = re.compile(r"\{\s*(-?[a-z][\w-]*)")  # to a message or a term
 resolver.MAX_PART_LENGTH = 1_000_000  # characters of a value; with more, the whole message would be "{???}"
 
 
 def load(language: str) -> None:
     """Read the messages of a language, except the help of the command line."""
     _bundle(language)
+    _sources(language)
 
 
 def sentence(language: str, message: str, values: dict[str, Any]) -> str:
     """Return a message with its values in a language; its id where the catalogue has no such message."""
     bundle = _bundle(language)
+    if not bundle.has_message(message):
+        _parse(bundle, _sources(language), message)
     pattern = bundle.get_message(message).value if bundle.has_message(message) else None
     with localcontext(prec=DIGITS):
         return message if pattern is None else str(bundle.format_pattern(pattern, values)[0])
@@ -80,8 +86,24 @@ def _locale(language: str) -> str:
 
 @cache
 def _bundle(language: str) -> FluentBundle:
-    bundle = FluentBundle([_locale(language)], use_isolating=False)
+    """Return the messages that were asked for; to parse all takes some tenths of a second."""
+    return FluentBundle([_locale(language)], use_isolating=False)
+
+
+@cache
+def _sources(language: str) -> Mapping[str, str]:
+    """Return the source of each message by its id; of two with the same id, the first."""
+    sources: dict[str, str] = {}
     files = (static_folder() / "words" / language).rglob("*.ftl")
     for file in sorted(file for file in files if file.name != HELP):
-        bundle.add_resource(FluentResource(file.read_text(encoding="utf-8")))
-    return bundle
+        for entry in ENTRIES.split(file.read_text(encoding="utf-8")):
+            sources.setdefault(entry.partition("=")[0].strip(), f"{entry}\n")
+    return sources
+
+
+def _parse(bundle: FluentBundle, sources: Mapping[str, str], message: str) -> None:
+    """Add a message to a bundle, after all that it refers to: another thread that finds it there finds them, too."""
+    added = [message]
+    for each in added:
+        added.extend(other for other in REFERENCE.findall(sources.get(each, "")) if other not in added)
+    bundle.add_resource(FluentResource("".join(sources.get(each, "") for each in reversed(added))))

@@ -116,7 +116,7 @@ def from_document(document: Any) -> Text | str:
 
 
 def load_language(language: str = ENGLISH) -> None:
-    """Read the messages of a language, for some tenths of a second, before the first sentence would have to wait."""
+    """Read the messages of a language before the first sentence would have to wait."""
     from app import fluent_catalogue as catalogue  # noqa: PLC0415  # the control process never gets here
 
     catalogue.load(language)

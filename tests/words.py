@@ -2,6 +2,8 @@
 
 import re
 import sys
+from collections.abc import Sequence
+from functools import cache
 from pathlib import Path
 from typing import Final
 
@@ -13,6 +15,12 @@ WORDS: Final = ROOT / "web_static" / "words"
 VALUE: Final = re.compile(r"\$(\w+)")
 
 
+@cache
+def entries_of(text: str) -> Sequence[ast.EntryType]:
+    """Return what a file with this text holds."""
+    return FluentParser().parse(text).body
+
+
 def messages_of(file: Path) -> dict[str, set[str]]:
     """Return the ids of a file's messages in their order, each with the names of its values.
 
@@ -21,7 +29,7 @@ def messages_of(file: Path) -> dict[str, set[str]]:
     if not file.exists():
         return {}
     text, found = file.read_text(encoding="utf-8"), dict[str, set[str]]()
-    for entry in FluentParser().parse(text).body:
+    for entry in entries_of(text):
         if isinstance(entry, ast.Message) and entry.value is not None and entry.value.span is not None:
             found[entry.id.name] = set(VALUE.findall(text[entry.value.span.start : entry.value.span.end]))
         elif isinstance(entry, ast.Junk):

@@ -199,11 +199,9 @@ def _pages() -> Pages:
 
 @cache
 def _routes_of_all_clinics() -> list[BaseRoute]:
-    """Return the routes that ask the request for their application; to make them takes longer than all else here."""
-    served = APIRouter()
-    served.include_router(_api((*(module.router for module in ROUTES), _described(), *feature_routers())))
-    served.include_router(replay_view.page_router)
-    return served.routes
+    """Return the routes that ask the request for their application; to make them ready takes longer than all else."""
+    api = _api((*(module.router for module in ROUTES), _described(), *feature_routers()))
+    return [*api.routes, *replay_view.page_router.routes]
 
 
 def _described() -> APIRouter:

@@ -97,7 +97,8 @@ def speed_in(text):
 
 def go_on_until(page, reached, what, *, seconds=60):
     """Wait until `reached`; a machine that is too busy may stop the chair, and then Continue goes on."""
-    go_on = page.get_by_role("button", name="Continue")
+    # Not one that was just pressed: to press that, one would wait until it comes again.
+    go_on = page.get_by_role("button", name="Continue", disabled=False)
     for _ in range(seconds * 1000 // LOOK_EVERY):
         if reached():
             return

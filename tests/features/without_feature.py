@@ -5,9 +5,11 @@ status of each answer: of every page, and of every route that reads, asked about
 driven a trial; then of the end of the session and the erasure of the patient.
 
 All but the features is imported once, while no feature can be found: nothing outside of them needs one to be imported.
-Each run is a fork of the process that imported it, so that it imports its features itself.
+So are the pages, places and words read, which are the same in each run. Each run is a fork of the process that imported
+it, so that it imports its features itself.
 """
 
+import gc
 import json
 import os
 import re
@@ -20,8 +22,8 @@ from pathlib import Path
 
 from app import features
 
-# What the features import late, of others.
-OF_FEATURES = ("matplotlib.figure", "pyarrow.parquet", "scipy.signal")
+# What the features, and the program, import late, of others.
+LATE = ("anyio._backends._asyncio", "attr", "matplotlib.figure", "pyarrow.parquet", "scipy.signal", "tarfile")
 WHOLE = "whole"
 
 
@@ -43,11 +45,22 @@ def hide(name: str) -> None:
 
 
 def import_all_but_features() -> None:
-    """Import the program, its web application, and what the tests of this import, while no feature can be found."""
+    """Import the program, its web application, and what the tests of this import, while no feature can be found.
+
+    Read what a program reads once, whatever features it has.
+    """
     without = WithoutFolders(features.NEEDS)
     sys.meta_path.insert(0, without)
-    for name in (*OF_FEATURES, "api.conftest", "app.cli.main"):
+    for name in (*LATE, "api.conftest", "app.cli.main"):
         import_module(name)
+    from app.api.app import _pages
+    from app.texts import LANGUAGES, load_language
+    from app.world.scene import bundled_places
+
+    _pages()
+    bundled_places()
+    for language in LANGUAGES:
+        load_language(language)
     sys.meta_path.remove(without)
 
 
@@ -124,5 +137,6 @@ def answer_apart(folder: Path, name: str) -> None:
 
 if __name__ == "__main__":
     import_all_but_features()
+    gc.freeze()  # a fork need not look through what all share
     for each in (WHOLE, *features.NEEDS):
         answer_apart(Path(sys.argv[1]), each)

@@ -331,10 +331,9 @@ def test_what_is_stuck_with_the_noise_of_a_good_sensor_is_stopped_by_the_person(
     for vocabulary, parameters, joint in armed_although_stuck():
         bound = VOCABULARIES[vocabulary]
         directions = [control for control in DIRECTIONS if bound[control][0].startswith(joint)]
-        for direction, posture in itertools.product(directions, (0.3, 0.5, 0.7, STROKE)):
-            person = moving_along(direction, bound, parameters)
-            if person is None:
-                continue
+        starts = [moving_along(direction, bound, parameters) for direction in directions]
+        for start, posture in itertools.product(filter(None, starts), (0.3, 0.5, 0.7, STROKE)):
+            person = start.twin()
             person.stuck, person.noise = {joint: posture}, 1.0
             tick = person.for_seconds(1.0)
             if tick.state is State.FAULT:  # the posture in which it stuck was reached by a jump

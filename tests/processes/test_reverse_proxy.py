@@ -184,8 +184,9 @@ def test_a_clinic_is_used_through_the_proxy(proxy: Proxy, certificate: Path, tmp
             assert link == f"https://{name}/"
             with Browser(port, certificate / "certificate.pem") as browser:
                 walk_through(browser, code)
-                with Browser(port, certificate / "certificate.pem") as visitor:
-                    look_from_elsewhere(browser, visitor)
+                if proxy.site == "nginx.conf":
+                    with Browser(port, certificate / "certificate.pem") as visitor:
+                        look_from_elsewhere(browser, visitor)
             past_the_proxy = httpx.get(f"http://127.0.0.1:{upstream}/")
             assert (past_the_proxy.status_code, past_the_proxy.json()["detail"]) == (403, str(INCOMPLETE))
         served.terminate()
@@ -222,7 +223,10 @@ def walk_through(browser: Browser, code: str) -> None:
 
 
 def look_from_elsewhere(browser: Browser, visitor: Browser) -> None:
-    """Read the story of a session, see a trial again in 3D, and share the course with somebody who is not signed in."""
+    """Read the story of a session, see a trial again in 3D, and share the course with somebody who is not signed in.
+
+    No proxy treats these requests otherwise than those of `walk_through`: one of the proxies is enough.
+    """
     origin = browser.headers["Origin"]
     session = browser.get("/patients/1/sessions").json()[0]["id"]
     story = browser.get(f"/sessions/{session}/story").json()

@@ -1,13 +1,16 @@
 """The rows of the log that the program writes: their names, and the names of their details, read from its code."""
 
 import ast
+import re
 from collections.abc import Iterator
 from dataclasses import dataclass, field
+from functools import cache
 from typing import Final
 
 from folders import ROOT
 
 WRITERS: Final = {"write_log": 2, "log_once": 1}  # what appends a row: the place of the row's name among the arguments
+CONSTANT: Final = re.compile(r'^([A-Z_][A-Z0-9_]*)(?:: [^=\n]+)? = "([^"\\]*)"', re.MULTILINE)  # a text of a module
 NAME: Final = "what"  # the parameter of a function that passes the name of a row on
 
 Function = ast.FunctionDef | ast.AsyncFunctionDef
@@ -22,10 +25,15 @@ class LogRows:
     unread: list[str] = field(default_factory=list)  # calls whose row has a name that this module does not find
 
 
+@cache
 def log_rows() -> LogRows:
-    """Return what the calls in app/ write, those of functions that pass a name on to `write_log` among them."""
-    modules = {file: ast.parse(file.read_text(encoding="utf-8")) for file in sorted((ROOT / "app").rglob("*.py"))}
-    constants = dict(each for tree in modules.values() for each in _constants(tree))
+    """Return what the calls in app/ write, those of functions that pass a name on to `write_log` among them.
+
+    A call of those stands in a module that names one of `WRITERS`.
+    """
+    texts = {file: file.read_text(encoding="utf-8") for file in sorted((ROOT / "app").rglob("*.py"))}
+    modules = {file: ast.parse(text) for file, text in texts.items() if any(name in text for name in WRITERS)}
+    constants = dict(each for text in texts.values() for each in CONSTANT.findall(text))
     rows = LogRows()
     for file, tree in modules.items():
         for call, place, function in _calls(tree):
@@ -37,17 +45,6 @@ def log_rows() -> LogRows:
             if not names and not (isinstance(name, ast.Name) and name.id in _parameters(function)):
                 rows.unread.append(where)
     return rows
-
-
-def _constants(tree: ast.Module) -> Iterator[tuple[str, str]]:
-    """Yield the texts with a name of their own in a module."""
-    for node in tree.body:
-        targets = (
-            node.targets if isinstance(node, ast.Assign) else [node.target] if isinstance(node, ast.AnnAssign) else []
-        )
-        value = node.value if isinstance(node, ast.Assign | ast.AnnAssign) else None
-        if isinstance(value, ast.Constant) and isinstance(value.value, str):
-            yield from ((target.id, value.value) for target in targets if isinstance(target, ast.Name))
 
 
 def _calls(tree: ast.Module) -> Iterator[tuple[ast.Call, int, Function]]:
@@ -71,8 +68,9 @@ def _calls(tree: ast.Module) -> Iterator[tuple[ast.Call, int, Function]]:
 
 
 def _passes_on(function: Function) -> bool:
-    calls = [each for each in ast.walk(function) if isinstance(each, ast.Call)]
-    return NAME in _parameters(function) and any(_called(call.func) in WRITERS for call in calls)
+    return NAME in _parameters(function) and any(
+        isinstance(each, ast.Call) and _called(each.func) in WRITERS for each in ast.walk(function)
+    )
 
 
 def _outermost(tree: ast.Module) -> Iterator[Function]:

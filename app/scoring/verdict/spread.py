@@ -148,8 +148,9 @@ def own_spread(before: Series, later: Series | None = None, least: float = 0.0) 
     """
     fitted = _residuals(before)
     parts = [(before.session, fitted[0])]
+    later_part = [] if later is None else [(later.session, *_residuals(later))]
     if later is not None and len(later.value) > 1:
-        parts.append((later.session, _residuals(later)[0]))
+        parts.append(later_part[0][:2])
     places, values, sessions = [], [], 0
     for session, residual in parts:
         _, first, count = np.unique(session, return_index=True, return_counts=True)
@@ -161,7 +162,6 @@ def own_spread(before: Series, later: Series | None = None, least: float = 0.0) 
     if later is not None and (in_other_sessions := before.session != later.session[0]).sum() < len(in_other_sessions):
         before = before.where(in_other_sessions)
         fitted = _residuals(before)
-    later_part = [] if later is None else [(later.session, *_residuals(later))]
     return OwnSpread(trial, *_between_sessions((before.session, *fitted), *later_part))
 
 

@@ -10,6 +10,11 @@ from browser.eyes.eyes_clinic import EyesClinic
 from playwright.sync_api import expect
 
 Open = Callable[[Any, EyesClinic], object]
+OPEN_ALL = """() => {
+  const closed = document.querySelectorAll("main details:not([open])");
+  for (const one of closed) one.open = true;
+  return closed.length;
+}"""
 
 
 def leave(page: Any, clinic: EyesClinic) -> None:
@@ -38,9 +43,9 @@ def tap(page: Any, name: str) -> None:
     button.or_(link).or_(page.locator("summary", has_text=name)).first.click()
 
 
-def open_all(page: Any) -> None:
-    """Open everything on the page that opens."""
-    page.evaluate("() => document.querySelectorAll('main details').forEach((one) => (one.open = true))")
+def open_all(page: Any) -> int:
+    """Open everything on the page that opens; return how many were closed."""
+    return int(page.evaluate(OPEN_ALL))
 
 
 def steps(*each: Open) -> Open:
@@ -97,8 +102,9 @@ def opened(where: str) -> Open:
     """Return what opens a page, and on it everything that opens."""
 
     def open_everything(page: Any, _clinic: EyesClinic) -> None:
-        for _ in range(2):  # what opens may hold what opens
-            open_all(page)
+        open_all(page)
+        page.wait_for_timeout(200)
+        if open_all(page):  # what opens may hold what opens
             page.wait_for_timeout(200)
 
     return steps(at(where), open_everything)

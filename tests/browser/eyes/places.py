@@ -133,7 +133,9 @@ PLACES: dict[str, Open] = {
     "shirt, same name": same_name,
     "calibrate": opened("calibrate"),
     "calibrate, runs": steps(at("calibrate", "Start"), pauses(300)),
-    "calibrate, result": steps(calibration_at("result"), opened("calibrate"), shows("text=What this body can do")),
+    "calibrate, result": steps(
+        calibration_at("result"), opened("calibrate"), shows("text=Every movement this body can make")
+    ),
     "controls": at("controls"),
     "controls, open": opened("controls"),
     "adapt": opened("adapt"),

@@ -89,7 +89,7 @@ def test_one_size_and_theme_of_every_page(page, clinic):
     for number, (name, open_place) in enumerate(VISITED.items()):
         cells = cells_of(name)
         cell = cells[number % len(cells)]
-        look_as(page, cell)
+        look_as(page, cell, settle=0)
         open_place(page, clinic)
         page.wait_for_timeout(200)
         found[name, *cell] = [str(one) for one in findings(page)] + small_targets(page) + keyboard_faults(page)

@@ -24,6 +24,20 @@ from folders import ROOT
 WORDS = "a quiet blue heron"
 KEY = Secret(str(x25519.Identity.generate()), "")
 
+# A key that WORDS open at once: it is encrypted with a work factor of 10, where new_secret() takes a second's.
+LIGHT = Secret(
+    "AGE-SECRET-KEY-1HSQXSMNF00LD4ANZW6RA30MFAAQ404QVE4R5EQQ26Y9L8DSTDMYQ2900NR",
+    """-----BEGIN AGE ENCRYPTED FILE-----
+YWdlLWVuY3J5cHRpb24ub3JnL3YxCi0+IHNjcnlwdCBicTcvUFN2d0diQ3h4SGJz
+Y21Rc293IDEwClUwdGUzeFZWWE5valBwMnZDOFpkK1Jyclpzalk2aEpqRmw3T0l4
+cTdySDQKLS0tIHFmcHpWTVhxY3M3VGc5YVFiYTB5QTk1VG9jbEgzV2hXWjdIcjY4
+V3ljY0kKmivTrYq0ehGLjDazS5tqhfCjVw1tgroYrw1bqefj1drs2IbjWL/wB1m0
+zS1MKoHMQg5Nz4HN/RiAIYCbpyBzlqXswAq0bo2DX1xPyq5D+cOv2sm+Tl1Y8YBI
+JW5XUO7JqlsMPLR7t2HIcVM=
+-----END AGE ENCRYPTED FILE-----
+""",
+)
+
 
 @functools.cache
 def known_secret() -> Secret:
@@ -61,8 +75,9 @@ def test_a_passphrase_opens_its_key_and_no_other_one_does() -> None:
     secret = known_secret()
     assert secret.identity not in repr(secret)
     assert secret.identity not in secret.sealed
-    assert opened_secret(secret.sealed, WORDS) == secret
-    for sealed, words in ((secret.sealed, "another one"), (secret.sealed[:200], WORDS), ("", WORDS)):
+    for each in (secret, LIGHT):
+        assert opened_secret(each.sealed, WORDS) == each
+    for sealed, words in ((LIGHT.sealed, "another one"), (LIGHT.sealed[:200], WORDS), ("", WORDS)):
         with pytest.raises(Refusal, match="passphrase is wrong, or the file was changed"):
             opened_secret(sealed, words)
 
@@ -94,14 +109,15 @@ def test_an_error_of_the_disk_is_itself_and_no_thread_stays(size: int) -> None:
 
 @pytest.fixture(scope="module", params=["file", "folder"])
 def backup(request: pytest.FixtureRequest, tmp_path_factory: pytest.TempPathFactory) -> tuple[Path, Settings]:
-    """An encrypted backup, and its clinic."""
+    """An encrypted backup, and its clinic; the file has a key as the program makes it."""
     folder = tmp_path_factory.mktemp("backup")
     settings = Settings(state=folder / "clinic")
     two_patients(settings, "Zebra", "Heron")
     target = folder / "stick"
     if request.param == "folder":
         target.mkdir()
-    report = make_backup(settings, target, known_secret(), with_keys=False, progress=lambda *_: None)
+    secret = LIGHT if request.param == "folder" else known_secret()
+    report = make_backup(settings, target, secret, with_keys=False, progress=lambda *_: None)
     return (target / report.name if target.is_dir() else target), settings
 
 

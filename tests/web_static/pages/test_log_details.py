@@ -8,7 +8,6 @@ from app.store.keeping.owned_rows import foreign_keys
 from app.store.schema import metadata
 
 IDS = ids_of(WORDS / "en" / "log.ftl")
-ROWS = log_rows()
 SHOWN_ALONE = {"patient"}  # by its code
 
 
@@ -22,20 +21,20 @@ def test_every_reason_of_a_stop_has_words() -> None:
 
 
 def test_every_row_that_the_program_writes_has_a_message() -> None:
-    assert ROWS.unread == []
-    assert len(ROWS.names) > 100
-    assert [name for name in sorted(ROWS.names) if f"log-what-{id_of(name)}" not in IDS] == []
+    assert log_rows().unread == []
+    assert len(log_rows().names) > 100
+    assert [name for name in sorted(log_rows().names) if f"log-what-{id_of(name)}" not in IDS] == []
 
 
 def test_every_message_of_a_row_is_for_one_that_the_program_writes() -> None:
-    written = {f"log-what-{id_of(name)}" for name in ROWS.names}
+    written = {f"log-what-{id_of(name)}" for name in log_rows().names}
     assert [name for name in IDS if name.startswith("log-what-") and name not in written] == []
 
 
 def test_every_detail_that_the_program_writes_has_a_name() -> None:
-    assert len(ROWS.details) > 60
-    named = {name for name in ROWS.details if f"log-name-{id_of(name)}" in IDS}
-    assert named | SHOWN_ALONE == ROWS.details
+    assert len(log_rows().details) > 60
+    named = {name for name in log_rows().details if f"log-name-{id_of(name)}" in IDS}
+    assert named | SHOWN_ALONE == log_rows().details
 
 
 def test_every_table_with_rows_of_patients_has_a_name() -> None:
