@@ -35,7 +35,7 @@ class Measure:
 
     name: Text  # on pages and reports
     unit: str  # "" for a plain number
-    ucum: str  # its code (units.py)
+    ucum: str  # the code of the unit (units.py)
     digits: int  # behind the point
     scale: Scale = "plain"  # on which its noise does not depend on its level
     better: Better | None = None  # None: neither way is better, so there is no verdict

@@ -211,7 +211,7 @@ def drawing_file():
 
 def test_a_drawing_and_a_bundled_plan_are_opened_as_copies(tablet):
     page, keep, log = tablet
-    page.locator("#plan-files, .import-form input[type=file]").first.set_input_files(drawing_file())
+    page.locator(".import-form input[type=file]").first.set_input_files(drawing_file())
     page.get_by_role("button", name="Read the file").tap()
     expect(page.get_by_text("does not say in which unit")).to_be_visible()
     assert len(log.errors) == 1  # the browser's own words about the refusal

@@ -24,7 +24,7 @@ from app.api.pages import ALONE, IN_ENTRIES, IN_ENTRY
 from folders import ROOT
 
 # Of classes without a style, of an event, of an element, and of formats that the server names.
-OTHER_NAMES = {"sign-in", "adapt-nothing", "trial-view", "plan-files", "shirt-key", "signal-file"}
+OTHER_NAMES = {"sign-in", "adapt-nothing", "trial-view", "shirt-key", "signal-file"}
 CONTROLS = {"u1-plus", "u1-minus", "u2-plus", "u2-minus"}
 BY_FILE = ids_of_language()
 ALL = set().union(*BY_FILE.values())

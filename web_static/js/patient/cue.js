@@ -5,11 +5,9 @@
  * @import { PatientLive } from "./store.js"
  */
 import { h, useComputed, useLayoutEffect, useSignal } from "../preact.js";
-import { discRadius, ringShare } from "../widgets/cue_circle.js";
+import { CueRing, discRadius, ringEmpty } from "../widgets/cue_circle.js";
 import { t } from "../texts.js";
 
-const RADIUS = 118;
-const ROUND = 2 * Math.PI * RADIUS;
 const FURTHEST = 0.3; // s for which the ring goes on without a message; then it stops, because the run may have stopped too
 const COUNTED = new Set(["ready", "rest", "free"]); // whole seconds; the others are too short to be counted
 
@@ -46,8 +44,8 @@ function thenWords({ kind, movement, next }) {
 function Ring({ live, isShown }) {
   const time = useSignal({ kind: "rest", length: 1, t: 0 }); // of the cue, s
   const share = useComputed(() => time.value.t / time.value.length);
-  const radius = useComputed(() => discRadius(time.value.kind, share.value));
-  const offset = useComputed(() => ROUND * (1 - ringShare(share.value)));
+  const disc = useComputed(() => discRadius(time.value.kind, share.value));
+  const empty = useComputed(() => ringEmpty(share.value));
   const seconds = useComputed(() => {
     const { kind, length, t: past } = time.value;
     return COUNTED.has(kind) ? String(Math.ceil(length - past)) : "";
@@ -66,17 +64,7 @@ function Ring({ live, isShown }) {
   return h(
     "svg",
     { viewBox: "0 0 300 300", "aria-hidden": "true" },
-    h("circle", { class: "track", cx: 150, cy: 150, r: RADIUS }),
-    h("circle", { class: "disc", cx: 150, cy: 150, r: radius }),
-    h("circle", {
-      class: "ring",
-      cx: 150,
-      cy: 150,
-      r: RADIUS,
-      "stroke-dasharray": ROUND,
-      "stroke-dashoffset": offset,
-      transform: "rotate(-90 150 150)",
-    }),
+    h(CueRing, { disc, empty }),
     h("text", { class: "seconds", x: 150, y: 172, "text-anchor": "middle" }, seconds),
   );
 }

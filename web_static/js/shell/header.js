@@ -4,8 +4,9 @@
  * @import { FrameState } from "./frame_state.js"
  * @import { Theme } from "./theme.js"
  * @import { IconName } from "../widgets/icons.js"
+ * @typedef {{kind: string, words: string}} LampLook kind: further classes
  */
-import { effect, Fragment, h, render, useRef, useSignal } from "../preact.js";
+import { computed, effect, Fragment, h, render, useComputed, useRef, useSignal } from "../preact.js";
 import { t } from "../texts.js";
 import { Icon } from "../widgets/icons.js";
 import { ScreenLamp } from "./screen_lamp.js";
@@ -25,8 +26,9 @@ export function header(app) {
   render(h(Contents, { app }), element);
   element.querySelector(".tag")?.after(mark.element);
   element.append(stopButton(app));
+  const hasChair = computed(() => Boolean(picture.value.latest?.chair?.state));
   effect(() => {
-    element.className = picture.value.latest?.chair?.state ? "head has-chair" : "head";
+    element.className = hasChair.value ? "head has-chair" : "head";
   });
   effect(() => mark.show(me.value?.demo ? null : practice.value)); // a demonstration has a mark of its own
   // Long words make the header higher: what stands below it follows.
@@ -52,8 +54,8 @@ function Contents({ app }) {
     h(
       "div",
       { class: "lamps", style: { visibility: isSignedIn ? "" : "hidden" } },
-      h(ShirtLamp, { state }),
-      h(ChairLamp, { state }),
+      h(Lamp, { state, look: shirtLamp }),
+      h(Lamp, { state, look: chairLamp }),
       h(ScreenLamp, { app }),
       h("span", { class: "me", hidden: !isPerson }, isPerson && me?.name),
     ),
@@ -79,34 +81,38 @@ function Contents({ app }) {
   );
 }
 
-/** @param {{state: FrameState}} lamp */
-function ShirtLamp({ state }) {
-  const { present, quality } = state.picture.value;
-  if (!present) return lamp("off unknown", t("lamp-shirt-unknown"));
+/**
+ * A lamp with its words; of twenty pictures a second, it changes only with those that look otherwise.
+ * @param {{state: FrameState, look: (picture: FrameState["picture"]["value"]) => LampLook}} lamp
+ */
+function Lamp({ state, look }) {
+  const now = useComputed(() => look(state.picture.value));
+  const kind = useComputed(() => `lamp ${now.value.kind}`);
+  const words = useComputed(() => now.value.words);
+  return h("span", { class: kind }, words);
+}
+
+/** @type {(picture: FrameState["picture"]["value"]) => LampLook} */
+function shirtLamp({ present, quality }) {
+  if (!present) return { kind: "off unknown", words: t("lamp-shirt-unknown") };
   const { alive, chosen } = present.shirt;
-  if (chosen === false) return lamp("off", t("lamp-shirt-none"));
+  if (chosen === false) return { kind: "off", words: t("lamp-shirt-none") };
   const all = quality.length;
   const good = quality.filter((one) => one === "good").length;
   const estimated = quality.filter((one) => one === "estimated").length;
   const kind = estimated ? "att long" : alive && good >= all * 0.75 ? "" : "att";
   const key = estimated ? "lamp-shirt-estimated" : "lamp-shirt";
-  return lamp(kind, alive && all ? t(key, { good, all, estimated }) : t("lamp-shirt-silent"));
+  return { kind, words: alive && all ? t(key, { good, all, estimated }) : t("lamp-shirt-silent") };
 }
 
-/** @param {{state: FrameState}} lamp */
-function ChairLamp({ state: { picture } }) {
-  const { present } = picture.value;
-  if (!present) return lamp("off unknown wide", t("lamp-chair-unknown"));
+/** @type {(picture: FrameState["picture"]["value"]) => LampLook} */
+function chairLamp({ present }) {
+  if (!present) return { kind: "off unknown wide", words: t("lamp-chair-unknown") };
   const isArmed = present.state === "armed";
   const state = present.chair?.state;
   const isBad = state === "silent" || state === "fault";
   const words = state ? t("lamp-real", { state: t(`lamp-real-${state}`) }) : t(isArmed ? "lamp-armed" : "lamp-chair");
-  return lamp(`${isBad ? "att" : isArmed ? "" : "off"} ${state ? "long" : "wide"}`, words);
-}
-
-/** @param {string} kind further classes @param {string} words */
-function lamp(kind, words) {
-  return h("span", { class: `lamp ${kind}` }, words);
+  return { kind: `${isBad ? "att" : isArmed ? "" : "off"} ${state ? "long" : "wide"}`, words };
 }
 
 /** @param {{app: App, isShown: boolean}} button */

@@ -4,7 +4,7 @@
  * @import { ReadonlySignal } from "../preact.js"
  * @import { RunMoment } from "./cue_clock.js"
  */
-import { h, useLayoutEffect } from "../preact.js";
+import { Fragment, h, useLayoutEffect } from "../preact.js";
 import { t } from "../texts.js";
 import { number } from "./format.js";
 
@@ -51,17 +51,7 @@ export function CueCircle({ cues, moment, isRunning, idleWords, announce }) {
     h(
       "svg",
       { viewBox: "0 0 300 300", class: "cue-picture", "aria-hidden": "true" },
-      h("circle", { class: "track", cx: 150, cy: 150, r: RADIUS }),
-      h("circle", { class: "disc", cx: 150, cy: 150, r: cue ? discRadius(cue.kind, share) : DISC_SMALL }),
-      h("circle", {
-        class: "ring",
-        cx: 150,
-        cy: 150,
-        r: RADIUS,
-        "stroke-dasharray": ROUND,
-        "stroke-dashoffset": ROUND * (1 - ringShare(share)),
-        transform: "rotate(-90 150 150)",
-      }),
+      h(CueRing, { disc: cue ? discRadius(cue.kind, share) : DISC_SMALL, empty: ringEmpty(share) }),
       h(
         "text",
         {
@@ -82,6 +72,32 @@ export function CueCircle({ cues, moment, isRunning, idleWords, announce }) {
     h("p", { class: "cue-next quiet" }, cue ? nextWords(cues[index + 1]) : idleWords),
   );
 }
+
+/**
+ * The ring, and the disc within it, in a picture of 300 x 300.
+ * @param {{disc: number | ReadonlySignal<number>, empty: number | ReadonlySignal<number>}} ring the disc's radius, and
+ *   how much of the ring's length is empty
+ */
+export function CueRing({ disc, empty }) {
+  const middle = { cx: 150, cy: 150 };
+  return h(
+    Fragment,
+    {},
+    h("circle", { class: "track", ...middle, r: RADIUS }),
+    h("circle", { class: "disc", ...middle, r: disc }),
+    h("circle", {
+      class: "ring",
+      ...middle,
+      r: RADIUS,
+      "stroke-dasharray": ROUND,
+      "stroke-dashoffset": empty,
+      transform: "rotate(-90 150 150)",
+    }),
+  );
+}
+
+/** How much of the ring's length is empty. @param {number} share of the cue's time, 0..1 */
+export const ringEmpty = (share) => ROUND * (1 - ringShare(share));
 
 /** What comes after a cue. @param {Cue | undefined} cue the next one; undefined: the step ends */
 function nextWords(cue) {

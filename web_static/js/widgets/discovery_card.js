@@ -4,7 +4,7 @@
  * @typedef {typeof NUMBERS[number]} NumberName
  * @typedef {(gesture: FoundGesture) => string} Words
  */
-import { h, render } from "../preact.js";
+import { h, useLayoutEffect, useSignal } from "../preact.js";
 import { t } from "../texts.js";
 import { number, percent } from "./format.js";
 import { gestureWords } from "./gestures.js";
@@ -63,17 +63,18 @@ export function DiscoveryCard({ found, labels, onTake }) {
 }
 
 /**
- * The card in an element that fills itself, and stays empty while nothing is calibrated: the page says what is missing.
- * @param {import("../api.js").Api} api @param {Record<string, string>} labels joint name -> label
- * @param {() => void} onTake what the tap on the suggestion does
+ * The card of the calibration in use, asked for once; nothing while nothing is calibrated: the page says what is missing.
+ * @param {{api: import("../api.js").Api, labels: Record<string, string>, onTake: () => void}} card
  */
-export function discoveryCard(api, labels, onTake) {
-  const element = document.createElement("div");
-  api.get("/calibration/gestures").then(
-    (found) => render(h(DiscoveryCard, { found, labels, onTake }), element),
-    () => {},
-  );
-  return element;
+export function FoundNow({ api, labels, onTake }) {
+  const found = useSignal(/** @type {Discovery | null} */ (null));
+  useLayoutEffect(() => {
+    api.get("/calibration/gestures").then(
+      (answer) => (found.value = answer),
+      () => {},
+    );
+  }, []);
+  return found.value && h(DiscoveryCard, { found: found.value, labels, onTake });
 }
 
 /** @param {FoundGesture[]} gestures @param {Map<string, string>} controls @param {Words} words */

@@ -2,27 +2,18 @@
  * A table in a region of its own that scrolls sideways: a narrow screen keeps all of its columns.
  * @import { ComponentChildren } from "../../vendor/preact/preact.js"
  */
-import { h as draw } from "../preact.js";
-import { h } from "./dom.js";
+import { h } from "../preact.js";
 
 /**
- * @param {string} label what the region is called @param {string} kind classes of the table
- * @param {...import("types/dom").Child} parts head and body of the table
+ * @param {object} table
+ * @param {string} table.label what the region is called @param {string} table.kind classes of the table
+ * @param {ComponentChildren} [table.children] head and body
  */
-export function scrollTable(label, kind, ...parts) {
+export function ScrollTable({ label, kind, children }) {
   return h(
     "div",
-    { class: "scroll-x", tabindex: "0", role: "region", "aria-label": label },
-    h("table", { class: kind }, parts),
-  );
-}
-
-/** The same as a component. @param {{label: string, kind: string, children?: ComponentChildren}} table */
-export function ScrollTable({ label, kind, children }) {
-  return draw(
-    "div",
     { class: "scroll-x", tabindex: 0, role: "region", "aria-label": label },
-    draw("table", { class: kind }, children),
+    h("table", { class: kind }, children),
   );
 }
 
@@ -31,13 +22,13 @@ export function ScrollTable({ label, kind, children }) {
  * @param {{columns: string[], children?: ComponentChildren}} head children: further cells
  */
 export function TableHead({ columns, children }) {
-  return draw(
+  return h(
     "thead",
     {},
-    draw(
+    h(
       "tr",
       {},
-      columns.map((words) => draw("th", { key: words, scope: "col" }, words)),
+      columns.map((words) => h("th", { key: words, scope: "col" }, words)),
       children,
     ),
   );

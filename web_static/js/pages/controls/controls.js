@@ -7,7 +7,7 @@ import { BusyLine } from "../../shell/busy.js";
 import { emptyPage, patientHere } from "../../shell/nobody.js";
 import { t } from "../../texts.js";
 import { cross } from "../../widgets/control_cross.js";
-import { discoveryCard } from "../../widgets/discovery_card.js";
+import { FoundNow } from "../../widgets/discovery_card.js";
 import { signedPercent } from "../../widgets/format.js";
 import { Icon } from "../../widgets/icons.js";
 import { Made } from "../../widgets/made.js";
@@ -62,7 +62,7 @@ function Page({ store, isVisitor }) {
       h(SpeedsCard, { store }),
       h(SetsCard, { store }),
     ),
-    h("div", { inert }, h(Made, { left, make: () => discoveryCard(app.api, labels.peek(), suggest) })),
+    h("div", { inert }, h(FoundNow, { api: app.api, labels: labels.value, onTake: suggest })),
     isVisitor && h(Made, { class: "card pad-card docked", left, make: (gone) => pads(app, gone).element }),
   );
 }
