@@ -159,7 +159,7 @@ class SensorLinks(threading.Thread):
         are_all_seen = asyncio.Event()
 
         def detect(device: BluetoothDevice, advertisement: Any) -> None:
-            address, name = device.address.upper(), device.name or advertisement.local_name or ""
+            address, name = device.address.upper(), advertisement.local_name or device.name or ""
             if address in missing or name.startswith(NAME_BEGINS):
                 seen[address] = device
             if missing and all(each in seen for each in missing):
