@@ -11,18 +11,20 @@ from app.texts import Text
 UNKNOWN = "unknown"
 
 Kind = Annotated[str, Field(min_length=1, max_length=32)]
-SourceGroup = Literal["worn", "camera", "phones", "slimevr", "lsl", "simulated", "unknown"]
+SourceGroup = Literal["worn", "camera", "phones", "slimevr", "bluetooth", "brainflow", "lsl", "simulated", "unknown"]
 """Trials of different groups are never in one curve, one assessment or one warning."""
 
 OWN_GROUPS: Final[Mapping[str, SourceGroup]] = {
     "camera": "camera",
     "phones": "phones",
     "slimevr": "slimevr",
+    "bluetooth": "bluetooth",
+    "brainflow": "brainflow",
     "lsl": "lsl",
 }
 """The kinds of shirts that measure a body in another way than a worn shirt, each with the group of its own."""
 
-NAMED_SHIRTS = frozenset({"simulator", "camera", "phones", "slimevr", "serial", "lsl", "udp", "replay", UNKNOWN})
+NAMED_SHIRTS = frozenset({*OWN_GROUPS, "simulator", "serial", "udp", "replay", UNKNOWN})
 NAMED_BODIES = frozenset({"person", "visitor", "recorded"})
 NAMED_CHAIRS = frozenset({"virtual", "udp", UNKNOWN})
 

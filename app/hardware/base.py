@@ -19,10 +19,17 @@ from app.texts import Text
 from app.world.floorplan import FloorPlan, PrescribedPath
 
 ORIGIN = Pose(0.0, 0.0, 0.0)
+LONGEST_MESSAGE = 120  # characters of a library's message, in a sentence
 
 
 class HardwareError(Exception):
     """Why a device cannot be used: a text of one sentence that names the device, the place and the remedy."""
+
+
+def library_message(error: Exception) -> str:
+    """Return what the library of a device says of an error: printable, in one short line, never empty."""
+    message = "".join(letter if letter.isprintable() else " " for letter in str(error))
+    return " ".join(message.split())[:LONGEST_MESSAGE].strip() or type(error).__name__
 
 
 @dataclass(slots=True)

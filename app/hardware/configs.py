@@ -8,7 +8,18 @@ from typing import TYPE_CHECKING, Annotated, Any, Literal
 from pydantic import Field
 
 from app.hardware.addresses import FilePlace, Host, SerialLine
-from app.hardware.shirt import camera, lsl, phones, replay, serial_line, simulator, slimevr, udp
+from app.hardware.shirt import (
+    bluetooth,
+    brainflow_board,
+    camera,
+    lsl,
+    phones,
+    replay,
+    serial_line,
+    simulator,
+    slimevr,
+    udp,
+)
 from app.hardware.shirt.kind import ShirtConfig, ShirtKind
 from app.ports import FREEPIE_PORT, OPENTRACK_PORT, RECEIVER_PORT
 from app.quantities import Count, Document, Port, Title
@@ -19,7 +30,9 @@ KINDS: tuple[ShirtKind[Any], ...] = (
     camera.KIND,
     phones.KIND,
     slimevr.KIND,
+    bluetooth.KIND,
     serial_line.KIND,
+    brainflow_board.KIND,
     lsl.KIND,
     udp.KIND,
     replay.KIND,

@@ -61,7 +61,9 @@ def test_every_source_of_frames_declares_whether_it_may_arm_a_real_chair():
         "camera": (Trust.NEVER, False),
         "phones": (Trust.NEVER, False),
         "slimevr": (Trust.NEVER, False),
+        "bluetooth": (Trust.NEVER, False),
         "serial": (Trust.WIRED, False),
+        "brainflow": (Trust.NEVER, False),
         "lsl": (Trust.NEVER, False),
         "udp": (Trust.WITH_KEY, False),
         "replay": (Trust.NEVER, True),
@@ -72,7 +74,9 @@ def test_every_source_of_frames_declares_whether_it_may_arm_a_real_chair():
         ({"kind": "camera"}, NOBODY_PROVES_IT),
         ({"kind": "phones"}, NOBODY_PROVES_IT),
         ({"kind": "slimevr"}, NOBODY_PROVES_IT),
+        ({"kind": "bluetooth"}, NOBODY_PROVES_IT),
         ({"kind": "serial"}, None),
+        ({"kind": "brainflow", "serial_port": "/dev/ttyUSB0"}, NOBODY_PROVES_IT),  # the dongle of a radio, mostly
         ({"kind": "lsl"}, NOBODY_PROVES_IT),
         (udp, NO_KEY),
         ({**udp, "key_file": "shirt-1.key"}, None),
@@ -119,12 +123,9 @@ def test_the_documents_of_the_protocol_are_understood():
 @pytest.mark.parametrize(
     ("document", "words"),
     [
-        (None, 'needs a "kind": give one of simulator, camera, phones, slimevr, serial, lsl, udp, replay'),
+        (None, f'needs a "kind": give one of {", ".join(SHIRTS)}'),
         ({}, 'needs a "kind"'),
-        (
-            {"kind": "silk"},
-            "no shirt of the kind 'silk': use one of simulator, camera, phones, slimevr, serial, lsl, udp, replay",
-        ),
+        ({"kind": "silk"}, f"no shirt of the kind 'silk': use one of {', '.join(SHIRTS)}"),
         ({"kind": "simulator", "sample_rate": float("nan")}, "sample_rate"),
         ({"kind": "simulator", "sample_rate": 1}, "sample_rate"),
         ({"kind": "simulator", "sample_rate": "100"}, "sample_rate"),

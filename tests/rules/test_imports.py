@@ -109,6 +109,8 @@ HOME = {
     "pyrage": {"features"},
     "psutil": {"host"},
     "pylsl": {LEAVES},
+    "brainflow": {"hardware"},
+    "bleak": {"hardware"},
     "typst": {"features"},
 }
 

@@ -25,9 +25,9 @@ EXCEPTIONS: dict[str, tuple[str, ...]] = {
         "app.hardware.body.driver",
         "app.hardware.body.steering",
         "app.hardware.chair.telemetry",
+        "app.hardware.shirt.brainflow_library",
         "app.hardware.shirt.lsl_streams",
         "app.hardware.shirt.serial_bytes",
-        "app.hardware.shirt.stream_join",
         "app.host.authority",
         "app.pipeline.commands",
         "app.pipeline.movement_check",
@@ -60,6 +60,9 @@ EXCEPTIONS: dict[str, tuple[str, ...]] = {
     ),
     "what trackers send and are answered is judged without the socket that they come by": (
         "app.hardware.shirt.slimevr_trackers",
+    ),
+    "bleak's thread is read apart from the shirt, which the control loop calls": (
+        "app.hardware.shirt.bluetooth_links",
     ),
     "what is sent over LSL is made of ticks apart from the thread that sends it": ("app.features.lsl.outlets",),
     "the control process passes ids on and loads no catalogue": ("app.fluent_catalogue",),

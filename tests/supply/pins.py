@@ -36,7 +36,11 @@ class PinList(NamedTuple):
 
 LISTS: Final = {
     "run": PinList("what the program needs"),
+    "bags": PinList("the extra bags", "run"),
+    "bluetooth": PinList("the extra bluetooth", "run"),
+    "brainflow": PinList("the extra brainflow", "run"),
     "figures": PinList("the extra figures", "run"),
+    "files": PinList("the extra files", "run"),
     "ros2": PinList("the extra ros2", "run"),
     "build": PinList("what builds it", "run"),
     "compile": PinList("what builds a compiled wheel", "build"),

@@ -19,6 +19,7 @@ from app.texts import Text
 NOBODY_WEARS_IT = Text("shirtdev-nobody-wears")
 NOBODY_PROVES_IT = Text("shirtdev-nobody-proves")
 NO_KEY = Text("shirtdev-no-key")
+LOWEST_RATE, HIGHEST_RATE = 10.0, 2000.0  # Hz
 
 
 class Trust(Enum):
@@ -73,7 +74,7 @@ class FieldTexts:
         return handler(schema) | texts
 
 
-ShirtRate = Annotated[Hertz, Field(ge=10, le=2000), FieldTexts(Text("shirtdev-rate"))]
+ShirtRate = Annotated[Hertz, Field(ge=LOWEST_RATE, le=HIGHEST_RATE), FieldTexts(Text("shirtdev-rate"))]
 SignalFile = Annotated[FilePlace, Field(json_schema_extra={"format": "signal-file"}), FieldTexts(Text("shirtdev-file"))]
 """The name of a file of signals, or of a recording, that lies on this machine."""
 ShirtKey = Annotated[

@@ -10,7 +10,7 @@ from pydantic import Field
 
 from app.clock import Clock
 from app.hardware.base import HardwareError
-from app.hardware.shirt.kind import FieldTexts, ShirtConfig, ShirtKind, Trust, page_texts
+from app.hardware.shirt.kind import HIGHEST_RATE, LOWEST_RATE, FieldTexts, ShirtConfig, ShirtKind, Trust, page_texts
 from app.hardware.shirt.lsl_streams import (
     CRITERIA,
     StreamFacts,
@@ -35,7 +35,6 @@ SEARCH_AFTER = 2.0  # s of silence of a regular stream, after which it may have 
 BUFFER = 10  # s of samples that liblsl keeps while the loop is held up; of a stream without a rate 1,000 samples
 AT_ONCE = 256  # samples that are taken over in one call
 SETTLE_EVERY = 1.0  # s between two readings of the clocks' differences
-LOWEST_RATE, HIGHEST_RATE = 10.0, 2000.0  # Hz
 
 SoughtText = Annotated[Line, Field(min_length=1, max_length=200)] | None
 

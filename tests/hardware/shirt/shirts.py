@@ -5,12 +5,16 @@ import socket
 import numpy as np
 from fake_clock import FakeClock
 from hardware.shirt.camera_page import CameraPage
+from hardware.shirt.fake_bleak import FakeBleak
+from hardware.shirt.fake_brainflow import CYTON, FakeBrainFlow
 from hardware.shirt.fake_lsl import FakeLsl
 from hardware.shirt.phone_page import PhonePage
 from hardware.shirt.slime_tracker import SlimeTracker
 from hardware.shirt.wired_board import WiredBoard
 
 from app.clock import MonotonicClock
+from app.hardware.shirt.bluetooth import BluetoothConfig, BluetoothShirt
+from app.hardware.shirt.brainflow_board import BrainFlowConfig, BrainFlowShirt
 from app.hardware.shirt.camera import CameraConfig, CameraShirt
 from app.hardware.shirt.lsl import LslConfig, LslShirt
 from app.hardware.shirt.orientation_frames import REST_TIME
@@ -182,6 +186,53 @@ class SlimeVrCase:
         self.device.close()
 
 
+class BluetoothCase:
+    """A Bluetooth sensor on the right forearm, at rest, on a fake clock; its connection has its thread."""
+
+    rate = RATE
+    address = "A1:B2:C3:D4:E5:F6"
+
+    def __init__(self, _tmp_path):
+        self.clock = FakeClock(50.0)
+        self.bleak = FakeBleak()
+        self.sensor = self.bleak.add_sensor(self.address)
+        config = BluetoothConfig(kind="bluetooth", sample_rate=RATE, right_forearm=self.address)
+        self.shirt = BluetoothShirt(config, self.clock, lambda: self.bleak)
+
+    def let_come(self, count):
+        self.sensor.wait_until_connected()
+        self.clock.time += 1e-6
+        for _ in range(round(REST_TIME * RATE) - 1):
+            self.sensor.send()
+            assert self.shirt.read(0.0) is None
+            self.clock.time += 1 / RATE
+        self.clock.time += (count - 1) / RATE + 1e-6
+        self.sensor.send()
+
+    def end(self):
+        """Do nothing: no other resource is held."""
+
+
+class BrainFlowCase:
+    """A board of BrainFlow, whose samples its thread takes over."""
+
+    rate = RATE
+
+    def __init__(self, _tmp_path):
+        self.clock = MonotonicClock()
+        self.brainflow = FakeBrainFlow({**CYTON, "sampling_rate": RATE})
+        self.shirt = BrainFlowShirt(BrainFlowConfig(kind="brainflow"), self.clock, lambda: self.brainflow)
+        self.sent = 0
+
+    def let_come(self, count):
+        numbers = range(self.sent, self.sent + count)
+        self.sent += count
+        self.brainflow.send([[0, 0, 0, 0, number % 1000, 1, 2, 1e9 + number / RATE] for number in numbers])
+
+    def end(self):
+        """Do nothing: no other resource is held."""
+
+
 class CameraCase:
     """The camera on a fake clock, and a page that sends what it sees."""
 
@@ -230,8 +281,10 @@ SHIRTS = (
     CameraCase,
     PhonesCase,
     SlimeVrCase,
+    BluetoothCase,
     FramesCase,
     LinesCase,
+    BrainFlowCase,
     LslCase,
     UdpCase,
     ReplayedCase,

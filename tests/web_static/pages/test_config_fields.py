@@ -138,6 +138,20 @@ def test_a_choice_is_shown_by_its_words_and_sent_by_its_name(drawn: Callable[...
     assert page["in_use"] == "Shirt on the cable at /dev/ttyUSB0"
 
 
+def test_a_board_is_told_by_what_it_needs_and_its_stream_by_words(drawn: Callable[..., Any]) -> None:
+    brainflow = SHIRTS["brainflow"]
+    page = drawn(brainflow, {}, **{"Data": "emg, accel", "Stream": "auxiliary", "Serial line": "/dev/ttyUSB0"})
+    shown = {field["label"]: field for field in page["shown"]}
+    assert list(shown)[:4] == ["Board", "Data", "Stream", "Serial line"]
+    assert shown["Stream"]["options"] == ["Main stream", "Second stream (auxiliary)", "Third stream (ancillary)"]
+    assert brainflow.config.model_validate(page["before"]) == brainflow.config(kind="brainflow")
+    after = brainflow.config.model_validate(page["after"])
+    assert after == brainflow.config(
+        kind="brainflow", data="emg, accel", preset="auxiliary", serial_port="/dev/ttyUSB0"
+    )
+    assert page["in_use"] == "Board CYTON_BOARD"
+
+
 def test_sensors_that_are_found_are_offered_beside_each_part_of_the_body(drawn: Callable[..., Any]) -> None:
     slimevr, mine, other = SHIRTS["slimevr"], "A1:B2:C3:D4:E5:F6", "00:00:00:00:00:0A/1"
     now = slimevr.config(kind="slimevr", trunk=mine)

@@ -10,7 +10,7 @@ import { t } from "../texts.js";
 import { Field, Selection } from "../widgets/fields.js";
 
 /** @type {SourceGroup[]} */
-export const GROUPS = ["worn", "camera", "phones", "slimevr", "lsl", "simulated", "unknown"];
+export const GROUPS = ["worn", "camera", "phones", "slimevr", "bluetooth", "brainflow", "lsl", "simulated", "unknown"];
 
 /** @param {WithSource} trial */
 export const groupOf = ({ source: { group } }) => group;

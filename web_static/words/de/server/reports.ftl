@@ -144,6 +144,8 @@ report-calibration =
         [camera] , mit einer Kamera
         [phones] , mit Telefonen
         [slimevr] , mit Trackern
+        [bluetooth] , mit Bluetooth-Sensoren
+        [brainflow] , mit einer Platine (BrainFlow)
         [lsl] , mit Signalen über LSL
         [simulated] , mit simuliertem Shirt
         [unknown] , Quelle nicht erfasst

@@ -65,6 +65,33 @@ shirtdev-part-left-lower-leg = Linker Unterschenkel
 shirtdev-part-right-lower-leg = Rechter Unterschenkel
 shirtdev-part-left-foot = Linker Fuß
 shirtdev-part-right-foot = Rechter Fuß
+shirtdev-bluetooth-title = Sensoren über Bluetooth (WitMotion)
+shirtdev-bluetooth-about = Kleine Lagesensoren an Körperteilen, etwa der WT901BLE. Sie geben keinen echten Rollstuhl frei.
+shirtdev-bluetooth-in-use = Bluetooth-Sensoren, { $rate } Datenpakete pro Sekunde
+# BrainFlow and OpenBCI are names. A board measures with electrodes or other sensors, and sends what it measures.
+shirtdev-brainflow-title = Eine Platine (BrainFlow)
+shirtdev-brainflow-about = Platinen von OpenBCI und anderen Herstellern, mit Elektroden oder Bewegungssensoren. Sie geben keinen echten Rollstuhl frei.
+shirtdev-brainflow-in-use = Platine { $board }
+shirtdev-brainflow-board = Platine
+shirtdev-brainflow-board-hint = So, wie BrainFlows Liste der Platinen (boards) sie nennt, etwa CYTON_BOARD, oder ihre Nummer dort.
+# What of the board's data is used. accel, gyro and so on are names that are typed, and are not translated.
+shirtdev-brainflow-data = Daten
+shirtdev-brainflow-data-hint = Namen mit Kommas dazwischen: accel (Beschleunigung), gyro (Drehrate), analog, resistance (Widerstand), exg (alle Elektroden), emg, oder was die Platine sonst hat.
+# A board can send up to three streams, each at a rate of its own.
+shirtdev-brainflow-preset = Datenstrom
+shirtdev-brainflow-preset-hint = Manche Platinen senden die Beschleunigung in ihrem zweiten Datenstrom.
+shirtdev-brainflow-preset-default = Hauptstrom
+shirtdev-brainflow-preset-auxiliary = Zweiter Datenstrom (auxiliary)
+shirtdev-brainflow-preset-ancillary = Dritter Datenstrom (ancillary)
+shirtdev-brainflow-needs-hint = Füllen Sie aus, was BrainFlows Liste für diese Platine verlangt, und lassen Sie den Rest leer.
+# Of a Bluetooth device.
+shirtdev-brainflow-mac = MAC-Adresse
+shirtdev-brainflow-ip = IP-Adresse
+shirtdev-brainflow-port-hint = 0, wenn die Platine keinen braucht.
+shirtdev-brainflow-number = Seriennummer
+# What else BrainFlow's list asks for with some boards.
+shirtdev-brainflow-other = Weitere Angaben
+shirtdev-brainflow-layout-hint = Eine JSON-Datei, die die Sensoren benennt. Ohne Datei ist jede Art von Daten ein Gelenk.
 shirtdev-phones-title = Telefone als Sensoren
 shirtdev-phones-about = Bis zu sechs Telefone oder Tablets, an Körperteile gebunden, zeigen, wie sich diese drehen. Jedes öffnet eine Seite und sendet; installiert wird nichts.
 shirtdev-phones-in-use = Telefone, { $rate } Datenpakete pro Sekunde
@@ -297,6 +324,41 @@ shirtdev-lsl =
        *[other] ; nichts kommt mehr von { $gone }
     }.
 
+shirtdev-brainflow-no-library = Platinen brauchen die Bibliothek BrainFlow ({ $why }); installieren Sie sie mit pip install 'bodydrive[brainflow]', und wählen Sie die Platine dann noch einmal
+# $boards is a list of names of boards.
+shirtdev-brainflow-no-board = BrainFlow kennt keine Platine { $given }; schreiben Sie den Namen oder die Nummer einer vorhandenen, etwa { $boards }
+shirtdev-brainflow-nobody-wears = { $board } spielt Signale ab oder erzeugt sie, und niemand trägt sie; wählen Sie eine echte Platine, das simulierte Shirt oder die Wiedergabe einer Datei
+shirtdev-brainflow-no-stream = die Platine { $board } hat diesen Datenstrom nicht; wählen Sie einen anderen
+# $kinds is a list of names such as accel.
+shirtdev-brainflow-no-data = dieser Datenstrom der Platine { $board } hat { $kinds }; schreiben Sie eines davon als Daten, oder mehrere mit Kommas dazwischen
+shirtdev-brainflow-channels = die Platine { $board } hat { $channels } Kanäle mit diesen Daten, höchstens { $most } lassen sich verwenden; schreiben Sie weniger Arten
+shirtdev-brainflow-misfit =
+    die Platine hat { $channels ->
+        [one] { $channels } Kanal
+       *[other] { $channels } Kanäle
+    } mit diesen Daten und das Layout { $named }; wählen Sie ein anderes Layout oder keines
+shirtdev-brainflow-rate = dieser Datenstrom der Platine { $board } hat { $rate } Werte pro Sekunde, verwenden lassen sich { $low } bis { $high }; wählen Sie einen anderen
+shirtdev-brainflow-failed =
+    { $cause ->
+        [port] die Platine { $board } lässt sich nicht öffnen ({ $why }); prüfen Sie ihre serielle Schnittstelle, und beenden Sie das andere Programm, das sie verwendet
+        [missing] die Platine { $board } lässt sich nicht öffnen ({ $why }); schalten Sie sie ein, und bringen Sie sie näher heran
+        [fields] die Platine { $board } lässt sich nicht öffnen ({ $why }); füllen Sie aus, was BrainFlows Liste für sie verlangt
+       *[other] die Platine { $board } lässt sich nicht öffnen ({ $why }); prüfen Sie, ob sie eingeschaltet ist, und die Angaben
+    }
+shirtdev-brainflow-closed = Keine Platine ist geöffnet.
+shirtdev-brainflow-silent =
+    Von der Platine { $board } kommt nichts an{ $why ->
+        [none] {""}
+       *[other] {" "}({ $why })
+    }. Schalten Sie sie ein; ihre Signale kommen dann von selbst zurück.
+# $age is how much longer the newest sample took than the quickest one.
+shirtdev-brainflow =
+    Platine { $board }, { $sensors } Sensoren mit { $rate } Hz, { $age } ms später als der schnellste Wert{ $lost ->
+        [0] {""}
+        [one] , { $lost } Datenpaket verloren
+       *[other] , { $lost } Datenpakete verloren
+    }.
+
 # So that no old frame drives, the number of the newest one is stored in a file.
 shirtdev-newest-unknown = { $file }: nirgends steht, welches Datenpaket dieses Shirts das neueste war, und ein altes darf nicht fahren; koppeln Sie das Shirt neu
 
@@ -329,6 +391,30 @@ shirtdev-phones =
     }.
 # $phones is a list of numbers.
 shirtdev-phones-found = An keinem Körperteil: Telefon { $phones }. Wählen Sie jedes bei dem Körperteil, an dem es sitzt.
+shirtdev-bluetooth-no-address = „{ $given }“ ist keine Adresse eines Bluetooth-Sensors; schreiben Sie sie wie A1:B2:C3:D4:E5:F6
+# $why, here and below, is what a library or the system says.
+shirtdev-bluetooth-no-library = Bluetooth-Sensoren brauchen die Bibliothek bleak ({ $why }); installieren Sie sie mit pip install 'bodydrive[bluetooth]', und wählen Sie die Sensoren dann noch einmal
+shirtdev-bluetooth-failed =
+    das Bluetooth dieses Rechners lässt sich nicht verwenden{ $why ->
+        [none] {""}
+       *[other] {" "}({ $why })
+    }; prüfen Sie, ob er einen Bluetooth-Adapter hat, schalten Sie ihn ein, und erlauben Sie ihn dem Konto dieses Programms
+shirtdev-bluetooth-closed = Die Bluetooth-Sensoren sind nicht in Gebrauch.
+# $refused counts messages that are none of such a sensor, $repeated those with nothing new in them; $trouble is what
+# the system's Bluetooth says.
+shirtdev-bluetooth =
+    Bluetooth: { $sending } von { $placed } senden, { $sensors } Sensoren{ $refused ->
+        [0] {""}
+        [one] , { $refused } Nachricht abgelehnt
+       *[other] , { $refused } Nachrichten abgelehnt
+    }{ $repeated ->
+        [0] {""}
+        [one] , { $repeated } Nachricht wiederholt
+       *[other] , { $repeated } Nachrichten wiederholt
+    }{ $trouble ->
+        [none] {""}
+       *[other] {" "}({ $trouble })
+    }.
 # In the next four, $parts is a list of parts of the body.
 shirtdev-sensors-silent = Sendet nicht: { $parts }. Schalten Sie die Sensoren dort ein, und prüfen Sie ihr Netz.
 shirtdev-sensors-moving = Noch nicht in Ruhe: { $parts }. Eine Sekunde stillhalten, Arme hängen lassen.

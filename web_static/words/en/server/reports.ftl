@@ -144,6 +144,8 @@ report-calibration =
         [camera] , with a camera
         [phones] , with phones
         [slimevr] , with trackers
+        [bluetooth] , with Bluetooth sensors
+        [brainflow] , with a board (BrainFlow)
         [lsl] , with signals over LSL
         [simulated] , of a simulated shirt
         [unknown] , source not recorded

@@ -65,6 +65,33 @@ shirtdev-part-left-lower-leg = Left lower leg
 shirtdev-part-right-lower-leg = Right lower leg
 shirtdev-part-left-foot = Left foot
 shirtdev-part-right-foot = Right foot
+shirtdev-bluetooth-title = Sensors over Bluetooth (WitMotion)
+shirtdev-bluetooth-about = Small sensors of orientation on parts of the body, such as the WT901BLE. They arm no real chair.
+shirtdev-bluetooth-in-use = Bluetooth sensors, { $rate } frames a second
+# BrainFlow and OpenBCI are names. A board measures with electrodes or other sensors, and sends what it measures.
+shirtdev-brainflow-title = A board (BrainFlow)
+shirtdev-brainflow-about = Boards of OpenBCI and other makers, with electrodes or sensors of movement. They arm no real chair.
+shirtdev-brainflow-in-use = Board { $board }
+shirtdev-brainflow-board = Board
+shirtdev-brainflow-board-hint = As BrainFlow's list of boards names it, such as CYTON_BOARD, or its number there.
+# What of the board's data is used. accel, gyro and so on are names that are typed, and are not translated.
+shirtdev-brainflow-data = Data
+shirtdev-brainflow-data-hint = Names with commas between them: accel (acceleration), gyro, analog, resistance, exg (all electrodes), emg, or what else the board has.
+# A board can send up to three streams, each at a rate of its own.
+shirtdev-brainflow-preset = Stream
+shirtdev-brainflow-preset-hint = Some boards send the acceleration in their second stream.
+shirtdev-brainflow-preset-default = Main stream
+shirtdev-brainflow-preset-auxiliary = Second stream (auxiliary)
+shirtdev-brainflow-preset-ancillary = Third stream (ancillary)
+shirtdev-brainflow-needs-hint = Fill in what BrainFlow's list asks for with this board, and leave the rest empty.
+# Of a Bluetooth device.
+shirtdev-brainflow-mac = MAC address
+shirtdev-brainflow-ip = IP address
+shirtdev-brainflow-port-hint = 0 where the board needs none.
+shirtdev-brainflow-number = Serial number
+# What else BrainFlow's list asks for with some boards.
+shirtdev-brainflow-other = Other details
+shirtdev-brainflow-layout-hint = A JSON file that names the sensors. Without one, each kind of data is a joint.
 shirtdev-phones-title = Phones as sensors
 shirtdev-phones-about = Up to six phones or tablets, tied to parts of the body, show how these turn. Each opens a page and sends; nothing is installed.
 shirtdev-phones-in-use = Phones, { $rate } frames a second
@@ -297,6 +324,41 @@ shirtdev-lsl =
        *[other] ; nothing more comes from { $gone }
     }.
 
+shirtdev-brainflow-no-library = boards need the library BrainFlow ({ $why }): install it with pip install 'bodydrive[brainflow]', then choose the board again
+# $boards is a list of names of boards.
+shirtdev-brainflow-no-board = BrainFlow has no board { $given }: write the name or the number of one, such as { $boards }
+shirtdev-brainflow-nobody-wears = { $board } plays or makes signals, and nobody wears it: choose a real board, or the simulated shirt, or the replay of a file
+shirtdev-brainflow-no-stream = the board { $board } has no such stream: choose another one
+# $kinds is a list of names such as accel.
+shirtdev-brainflow-no-data = this stream of the board { $board } has { $kinds }: write one of these as its data, or several with commas between them
+shirtdev-brainflow-channels = the board { $board } has { $channels } channels with these data, at most { $most } can be used: write fewer kinds
+shirtdev-brainflow-misfit =
+    { $channels ->
+        [one] the board has { $channels } channel with these data and the layout { $named }: bring another layout, or none
+       *[other] the board has { $channels } channels with these data and the layout { $named }: bring another layout, or none
+    }
+shirtdev-brainflow-rate = this stream of the board { $board } has { $rate } samples a second, { $low } to { $high } can be used: choose another one
+shirtdev-brainflow-failed =
+    { $cause ->
+        [port] the board { $board } cannot be opened ({ $why }): check its serial line, and end the other program that uses it
+        [missing] the board { $board } cannot be opened ({ $why }): switch it on, and bring it nearer
+        [fields] the board { $board } cannot be opened ({ $why }): fill in what BrainFlow's list asks for with it
+       *[other] the board { $board } cannot be opened ({ $why }): check that it is on, and what was filled in
+    }
+shirtdev-brainflow-closed = No board is open.
+shirtdev-brainflow-silent =
+    Nothing arrives from the board { $board }{ $why ->
+        [none] {""}
+       *[other] {" "}({ $why })
+    }: switch it on, and its signals come back by themselves.
+# $age is how much longer the newest sample took than the quickest one.
+shirtdev-brainflow =
+    Board { $board }, { $sensors } sensors at { $rate } Hz, { $age } ms later than the quickest{ $lost ->
+        [0] {""}
+        [one] , { $lost } frame lost
+       *[other] , { $lost } frames lost
+    }.
+
 # So that no old frame drives, the number of the newest one is stored in a file.
 shirtdev-newest-unknown = { $file }: nothing says which frame of this shirt was the newest, and an old one must not drive: pair the shirt anew
 
@@ -329,6 +391,30 @@ shirtdev-phones =
     }.
 # $phones is a list of numbers.
 shirtdev-phones-found = On no part of the body: phone { $phones }. Choose each beside the part that wears it.
+shirtdev-bluetooth-no-address = '{ $given }' is no address of a Bluetooth sensor: write it like A1:B2:C3:D4:E5:F6
+# $why, here and below, is what a library or the system says.
+shirtdev-bluetooth-no-library = Bluetooth sensors need the library bleak ({ $why }): install it with pip install 'bodydrive[bluetooth]', then choose them again
+shirtdev-bluetooth-failed =
+    this computer's Bluetooth cannot be used{ $why ->
+        [none] {""}
+       *[other] {" "}({ $why })
+    }: check that it has a Bluetooth adapter, switch that on, and let this program's account use it
+shirtdev-bluetooth-closed = The Bluetooth sensors are not in use.
+# $refused counts messages that are none of such a sensor, $repeated those with nothing new in them; $trouble is what
+# the system's Bluetooth says.
+shirtdev-bluetooth =
+    Bluetooth: { $sending } of { $placed } send, { $sensors } sensors{ $refused ->
+        [0] {""}
+        [one] , { $refused } message refused
+       *[other] , { $refused } messages refused
+    }{ $repeated ->
+        [0] {""}
+        [one] , { $repeated } message repeated
+       *[other] , { $repeated } messages repeated
+    }{ $trouble ->
+        [none] {""}
+       *[other] {" "}({ $trouble })
+    }.
 # In the next four, $parts is a list of parts of the body.
 shirtdev-sensors-silent = Silent: { $parts }. Switch these on, and check their network.
 shirtdev-sensors-moving = Not yet at rest: { $parts }. Stay still for a second, arms down.

@@ -144,6 +144,8 @@ report-calibration =
         [camera] , con una cámara
         [phones] , con teléfonos
         [slimevr] , con rastreadores
+        [bluetooth] , con sensores Bluetooth
+        [brainflow] , con una placa (BrainFlow)
         [lsl] , con señales por LSL
         [simulated] , de una camiseta simulada
         [unknown] , origen no registrado

@@ -65,6 +65,33 @@ shirtdev-part-left-lower-leg = Pierna izquierda, por debajo de la rodilla
 shirtdev-part-right-lower-leg = Pierna derecha, por debajo de la rodilla
 shirtdev-part-left-foot = Pie izquierdo
 shirtdev-part-right-foot = Pie derecho
+shirtdev-bluetooth-title = Sensores por Bluetooth (WitMotion)
+shirtdev-bluetooth-about = Pequeños sensores de orientación en partes del cuerpo, como el WT901BLE. No habilitan ninguna silla real.
+shirtdev-bluetooth-in-use = Sensores Bluetooth, { $rate } muestras por segundo
+# BrainFlow and OpenBCI are names. A board measures with electrodes or other sensors, and sends what it measures.
+shirtdev-brainflow-title = Una placa (BrainFlow)
+shirtdev-brainflow-about = Placas de OpenBCI y de otros fabricantes, con electrodos o sensores de movimiento. No habilitan ninguna silla real.
+shirtdev-brainflow-in-use = Placa { $board }
+shirtdev-brainflow-board = Placa
+shirtdev-brainflow-board-hint = Como la llama la lista de placas de BrainFlow, por ejemplo CYTON_BOARD, o su número en ella.
+# What of the board's data is used. accel, gyro and so on are names that are typed, and are not translated.
+shirtdev-brainflow-data = Datos
+shirtdev-brainflow-data-hint = Nombres separados por comas: accel (aceleración), gyro (giro), analog, resistance (resistencia), exg (todos los electrodos), emg o lo que la placa tenga además.
+# A board can send up to three streams, each at a rate of its own.
+shirtdev-brainflow-preset = Flujo
+shirtdev-brainflow-preset-hint = Algunas placas envían la aceleración en su segundo flujo.
+shirtdev-brainflow-preset-default = Flujo principal
+shirtdev-brainflow-preset-auxiliary = Segundo flujo (auxiliary)
+shirtdev-brainflow-preset-ancillary = Tercer flujo (ancillary)
+shirtdev-brainflow-needs-hint = Rellene lo que la lista de BrainFlow pide para esta placa y deje vacío lo demás.
+# Of a Bluetooth device.
+shirtdev-brainflow-mac = Dirección MAC
+shirtdev-brainflow-ip = Dirección IP
+shirtdev-brainflow-port-hint = 0 si la placa no necesita ninguno.
+shirtdev-brainflow-number = Número de serie
+# What else BrainFlow's list asks for with some boards.
+shirtdev-brainflow-other = Otros datos
+shirtdev-brainflow-layout-hint = Un archivo JSON que nombra los sensores. Sin él, cada tipo de datos es una articulación.
 shirtdev-phones-title = Teléfonos como sensores
 shirtdev-phones-about = Hasta seis teléfonos o tabletas, sujetos a partes del cuerpo, muestran cómo giran estas. Cada uno abre una página y envía; no se instala nada.
 shirtdev-phones-in-use = Teléfonos, { $rate } muestras por segundo
@@ -289,6 +316,37 @@ shirtdev-lsl =
        *[other] ; ya no llega nada de { $gone }
     }.
 
+shirtdev-brainflow-no-library = las placas necesitan la biblioteca BrainFlow ({ $why }): instálela con pip install 'bodydrive[brainflow]' y elija la placa de nuevo
+# $boards is a list of names of boards.
+shirtdev-brainflow-no-board = BrainFlow no tiene ninguna placa { $given }: escriba el nombre o el número de una, por ejemplo { $boards }
+shirtdev-brainflow-nobody-wears = { $board } reproduce o genera señales y no la lleva nadie: elija una placa real, la camiseta simulada o la reproducción de un archivo
+shirtdev-brainflow-no-stream = la placa { $board } no tiene ese flujo: elija otro
+# $kinds is a list of names such as accel.
+shirtdev-brainflow-no-data = este flujo de la placa { $board } tiene { $kinds }: escriba uno de ellos como datos, o varios separados por comas
+shirtdev-brainflow-channels = la placa { $board } tiene { $channels } canales con estos datos y se pueden usar { $most } como máximo: escriba menos tipos
+shirtdev-brainflow-misfit = el número de canales con estos datos es { $channels } en la placa y { $named } en la disposición: elija otra disposición o ninguna
+shirtdev-brainflow-rate = este flujo de la placa { $board } tiene { $rate } muestras por segundo y se pueden usar de { $low } a { $high }: elija otro
+shirtdev-brainflow-failed =
+    { $cause ->
+        [port] no se puede abrir la placa { $board } ({ $why }): compruebe su línea serie y cierre el otro programa que la usa
+        [missing] no se puede abrir la placa { $board } ({ $why }): enciéndala y acérquela
+        [fields] no se puede abrir la placa { $board } ({ $why }): rellene lo que la lista de BrainFlow pide para ella
+       *[other] no se puede abrir la placa { $board } ({ $why }): compruebe que está encendida y los datos escritos
+    }
+shirtdev-brainflow-closed = Ninguna placa está abierta.
+shirtdev-brainflow-silent =
+    No llega nada de la placa { $board }{ $why ->
+        [none] {""}
+       *[other] {" "}({ $why })
+    }: enciéndala y sus señales regresarán solas.
+# $age is how much longer the newest sample took than the quickest one.
+shirtdev-brainflow =
+    Placa { $board }, { $sensors } sensores a { $rate } Hz, { $age } ms más tarde que la más rápida{ $lost ->
+        [0] {""}
+        [one] , { $lost } muestra perdida
+       *[other] , { $lost } muestras perdidas
+    }.
+
 # So that no old frame drives, the number of the newest one is stored in a file.
 shirtdev-newest-unknown = { $file }: nada indica cuál fue la muestra más reciente de esta camiseta, y una antigua no debe conducir: vincule de nuevo la camiseta
 
@@ -321,6 +379,30 @@ shirtdev-phones =
     }.
 # $phones is a list of numbers.
 shirtdev-phones-found = En ninguna parte del cuerpo: teléfono { $phones }. Elija cada uno junto a la parte que lo lleva.
+shirtdev-bluetooth-no-address = “{ $given }” no es la dirección de un sensor Bluetooth: escríbala como A1:B2:C3:D4:E5:F6
+# $why, here and below, is what a library or the system says.
+shirtdev-bluetooth-no-library = los sensores Bluetooth necesitan la biblioteca bleak ({ $why }): instálela con pip install 'bodydrive[bluetooth]' y elíjalos de nuevo
+shirtdev-bluetooth-failed =
+    no se puede usar el Bluetooth de este equipo{ $why ->
+        [none] {""}
+       *[other] {" "}({ $why })
+    }: compruebe que tiene un adaptador Bluetooth, enciéndalo y permita su uso a la cuenta de este programa
+shirtdev-bluetooth-closed = Los sensores Bluetooth no se usan.
+# $refused counts messages that are none of such a sensor, $repeated those with nothing new in them; $trouble is what
+# the system's Bluetooth says.
+shirtdev-bluetooth =
+    Bluetooth: envían { $sending } de { $placed }, { $sensors } sensores{ $refused ->
+        [0] {""}
+        [one] , { $refused } mensaje rechazado
+       *[other] , { $refused } mensajes rechazados
+    }{ $repeated ->
+        [0] {""}
+        [one] , { $repeated } mensaje repetido
+       *[other] , { $repeated } mensajes repetidos
+    }{ $trouble ->
+        [none] {""}
+       *[other] {" "}({ $trouble })
+    }.
 # In the next four, $parts is a list of parts of the body.
 shirtdev-sensors-silent = No envía: { $parts }. Encienda los sensores de ahí y compruebe su red.
 shirtdev-sensors-moving = Aún no en reposo: { $parts }. Quédese quieto un segundo, con los brazos caídos.
