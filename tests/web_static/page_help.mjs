@@ -3,7 +3,7 @@
  * sentences and a drawing.
  */
 import assert from "node:assert/strict";
-import { existsSync } from "node:fs";
+import { existsSync, readdirSync } from "node:fs";
 
 const [folder] = process.argv.slice(2);
 const { PAGES } = await import(`${folder}/shell/pages.js`);
@@ -11,7 +11,11 @@ const { hasText } = await import(`${folder}/texts.js`);
 const { helpName, pageWords } = await import(`${folder}/help/help_words.js`);
 const { hasDrawing } = await import(`${folder}/help/drawings.js`);
 
+const WITHOUT_ADDRESS = ["chair", "invitation", "set_up", "sign_in"]; // below Drive, and before the sign-in
+
 const pages = Object.keys(PAGES);
+const others = readdirSync(`${folder}/pages`).filter((name) => !pages.includes(name));
+assert.deepEqual(others.sort(), WITHOUT_ADDRESS, "a folder of pages/ has no line in shell/pages.js");
 for (const page of pages) {
   assert.ok(existsSync(`${folder}/pages/${page}/${page}.js`), `${page}: there is no pages/${page}/${page}.js`);
   assert.ok(hasText(`rail-${page}`), `${page}: its name is missing in words/en, as rail-${page.replaceAll("_", "-")}`);

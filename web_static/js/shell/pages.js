@@ -33,5 +33,5 @@ export const PAGES = {
   backup: { below: "settings" },
 };
 
-/** What the frame has to know of a page, nothing of one without an address. @param {string} page @returns {PagePlace} */
+/** What the frame has to know of a page; nothing where it has no address. @param {string} page @returns {PagePlace} */
 export const placeOf = (page) => PAGES[page] ?? {};
