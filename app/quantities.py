@@ -19,7 +19,6 @@ Radians = Annotated[float, Field(strict=True, allow_inf_nan=False, ge=-6.2832, l
 Seconds = Annotated[float, Field(strict=True, allow_inf_nan=False, ge=0, le=86_400)]
 Hertz = Annotated[float, Field(strict=True, allow_inf_nan=False, gt=0, le=5000)]
 Cutoff = Annotated[float, Field(strict=True, allow_inf_nan=False, ge=LOWEST_CUTOFF, le=HIGHEST_CUTOFF)]  # Hz
-Gain = Annotated[float, Field(strict=True, allow_inf_nan=False, ge=0, le=5)]
 Threshold = Annotated[float, Field(strict=True, allow_inf_nan=False, ge=0, le=LARGEST_THRESHOLD)]  # FS/s or FS
 Fraction = Annotated[float, Field(strict=True, allow_inf_nan=False, ge=0, le=1)]
 Points = Annotated[int, Field(strict=True, ge=0, le=100)]  # of a slider

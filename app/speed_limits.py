@@ -5,9 +5,10 @@ from typing import Annotated
 from pydantic import Field
 
 from app.quantities import Document
+from app.speed_ceiling import HIGHEST_SPEED, HIGHEST_TURN_RATE
 
-Speed = Annotated[float, Field(strict=True, allow_inf_nan=False, gt=0, le=1.5)]  # m/s
-TurnRate = Annotated[float, Field(strict=True, allow_inf_nan=False, gt=0, le=2.5)]  # rad/s
+Speed = Annotated[float, Field(strict=True, allow_inf_nan=False, gt=0, le=HIGHEST_SPEED)]  # m/s
+TurnRate = Annotated[float, Field(strict=True, allow_inf_nan=False, gt=0, le=HIGHEST_TURN_RATE)]  # rad/s
 Acceleration = Annotated[float, Field(strict=True, allow_inf_nan=False, ge=0.1, le=3.0)]  # m/s2
 TurnAcceleration = Annotated[float, Field(strict=True, allow_inf_nan=False, ge=0.1, le=20.0)]  # rad/s2
 Jerk = Annotated[float, Field(strict=True, allow_inf_nan=False, ge=0.5, le=20.0)]  # m/s3

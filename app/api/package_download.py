@@ -15,6 +15,7 @@ from app.api.parts import part, parts_for
 from app.api.sign_in.identity import SignedInPerson
 from app.clock import utc_now
 from app.computing_process import ComputingProcess
+from app.download_name import download_name
 from app.package import Step
 from app.quantities import Document
 from app.settings import Settings
@@ -111,7 +112,7 @@ class PackageDownload:
 
         With a word in `course`, `GET /exports?course=WORD` says meanwhile how far it is.
         """
-        name = f"bodydrive-{form}-{utc_now():%Y%m%dT%H%M%SZ}.zip"
+        name = download_name(form, utc_now(), "zip")
         headers = {"Content-Disposition": f'attachment; filename="{name}"'}
         begun = self.exports.begun(person.person_id, course, recordings)
         return StreamingResponse(

@@ -9,7 +9,7 @@ from pydantic import Field, model_validator
 
 from app.calibration.profile import CalibrationProfile
 from app.messages import MAX_GESTURES
-from app.quantities import Cutoff, Document, Gain, Name, Threshold
+from app.quantities import Cutoff, Document, Name, Threshold
 from app.signals.low_pass import STANDARD_CUTOFF
 from app.speed_limits import Speeds
 from app.texts import Text
@@ -18,6 +18,7 @@ Control = Literal["u1+", "u1-", "u2+", "u2-", "stop"]
 Feature = Literal["rate", "displacement"]
 ControlMode = Literal["velocity", "acceleration"]
 
+Gain = Annotated[float, Field(strict=True, allow_inf_nan=False, ge=0, le=5)]
 CruiseTime = Annotated[float, Field(strict=True, allow_inf_nan=False, ge=1, le=30)]  # s
 SetTitle = Annotated[
     str, Field(min_length=1, max_length=80)

@@ -16,10 +16,10 @@ from app.cli.errors import InputError
 from app.cli.help_text import help_text
 from app.cli.port import bind, bind_here, proxy_network, public_name
 from app.clock import utc_now
+from app.faulty_python import python_warning
 from app.files import write_atomically
 from app.network import link
 from app.ports import HTTP_PORT, HTTPS_PORT
-from app.python_release import python_warning
 from app.realtime import collect_seldom
 from app.refusals import Refusal
 from app.settings import Settings, data_folder, new_code

@@ -14,8 +14,8 @@ from app.calibration.vocabulary import DriveParameters
 from app.pipeline.channel_health import ChannelHealth
 from app.pipeline.person_brakes import STOP_ACTIVATION
 from app.quantities import Count, Document, Fraction, Name
-from app.scoring.command_counts import onsets
 from app.scoring.joint_quality import Amount, Degrees, JointQuality, joint_quality
+from app.scoring.stops_and_pulses import onsets
 from app.texts import Text
 
 MOST_BAD = 0.1  # share of the time; a channel that was bad for longer is left out of its joint's figures

@@ -11,7 +11,7 @@ from app.calibration.fit.pca import JointPCA, angle_between
 from app.calibration.profile import JointMap
 from app.layout import ShirtLayout
 from app.quantities import Count, Document, Fraction, Name, Title
-from app.scoring.command_counts import ON
+from app.scoring.stops_and_pulses import ON
 from app.signals.low_pass import STANDARD_CUTOFF, smooth
 
 LEAST_TIME = 2.0  # s of usable signal; with less, no figure is computed
@@ -148,7 +148,7 @@ def map_fit(values: Numbers, moving: Flags, weights: Numbers, sample_rate: float
     if not moved.any():
         return None
     pca = JointPCA(range(len(weights))).fit(moved)
-    first = pca.components_[0]
+    first = pca.direction
     explained = float(pca.explained_variance_ratio_ @ (pca.components_ @ weights) ** 2)
     return MapFit(
         angle_deg=angle_between(first, weights),

@@ -7,7 +7,7 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from app.scoring.command_counts import onsets, reversals, standstills
+from app.scoring.stops_and_pulses import onsets, reversals, standstills
 from app.texts import Text
 from app.world.contacts import contact_rows
 from app.world.path import Path

@@ -7,7 +7,7 @@ from app.geometry import Pose
 from app.hardware.base import BodyView, LeaderView
 from app.hardware.body.cursor_view import CursorView
 from app.hardware.body.person import SimulatedPerson
-from app.hardware.shirt.fabric import Fabric
+from app.hardware.shirt.simulated_fabric import Fabric
 from app.layout import ShirtLayout
 from app.messages import ChairState, SensorFrame
 from app.world.cursor_task import CursorTask

@@ -16,7 +16,7 @@ from app.calibration.adaptation.movement import Movement
 from app.calibration.profile import CalibrationProfile
 from app.calibration.script import calibration_script
 from app.calibration.vocabulary import PAPER_VOCABULARY, standard_parameters
-from app.hardware.shirt.fabric import Fabric
+from app.hardware.shirt.simulated_fabric import Fabric
 from app.pipeline.channel_health import ChannelHealth
 from app.pipeline.projection import projections
 from app.scoring.map_losses.losses import MOST_SILENT

@@ -12,7 +12,7 @@ from app.cues import Cue
 from app.hardware.base import BodyView
 from app.hardware.body.person import SimulatedPerson
 from app.hardware.body.person_parameters import PRACTISED
-from app.hardware.shirt.fabric import Fabric
+from app.hardware.shirt.simulated_fabric import Fabric
 from app.hardware.shirt.standard import standard_layout
 from app.layout import ShirtLayout
 from bench.prior.wearers import JointPart, Wearer, movement_of

@@ -14,7 +14,7 @@ from starlette.types import ASGIApp, Receive, Scope, Send
 
 from app.api.pages import Pages, PagesFirst, language_files, read_entry
 from app.settings import static_folder
-from app.texts import reader_language
+from app.texts import LANGUAGES, reader_language
 
 ENTRY = """<!doctype html>
 <head>
@@ -190,7 +190,7 @@ def test_every_module_that_a_page_imports_is_preloaded_and_there() -> None:
             assert {client.get(link).status_code for link in links} == {200}
 
 
-LANGUAGES = ("en", "es")
+TWO_LANGUAGES = ("en", "es")
 IN_SPANISH = {"Cookie": "language=es"}
 MESSAGES = {
     "words/en/a.ftl": '### For translators\n\n# why\none = "One" – {" "}\n    # two\n',
@@ -223,7 +223,7 @@ class Cookies:
 @pytest.fixture
 def translated(tmp_path: Path) -> Any:
     """Return the pages in two languages, and a client."""
-    pages = Pages(put(tmp_path, **MESSAGES), LANGUAGES)
+    pages = Pages(put(tmp_path, **MESSAGES), TWO_LANGUAGES)
     with browser_of(pages, Cookies) as client:
         yield pages, client
 
@@ -284,7 +284,7 @@ def test_messages_are_loaded_with_what_imports_them_and_have_its_version(tmp_pat
     assert client.get("/words/en/b.ftl").status_code == client.get("/words/entries.ftl.js").status_code == 404
     for name in ("words/en/b.ftl", "words/es/b.ftl", "words/es/entries.ftl"):
         put(tmp_path, **MESSAGES | {name: MESSAGES[name] + "three = 3\n"})
-        assert Pages(tmp_path, LANGUAGES).version != pages.version
+        assert Pages(tmp_path, TWO_LANGUAGES).version != pages.version
 
 
 def test_an_entry_is_read_in_a_language(tmp_path: Path) -> None:
@@ -295,10 +295,9 @@ def test_an_entry_is_read_in_a_language(tmp_path: Path) -> None:
     }
 
 
-def test_each_folder_of_messages_is_a_language_that_pages_can_be_in() -> None:
-    languages = sorted(folder.name for folder in (static_folder() / "words").iterdir())
-    pages = Pages(static_folder(), languages)
-    for language in languages:
+def test_the_pages_are_in_each_language_without_a_place_that_has_no_words() -> None:
+    pages = Pages(static_folder())
+    for language in LANGUAGES:
         for entry in static_folder().glob("*.html"):
             text = pages.text(entry.name, language)
             assert f'<html lang="{language}">' in text

@@ -11,7 +11,7 @@ from folders import ROOT
 
 pytestmark = [pytest.mark.browser]
 
-PAGES = """() => import("/js/shell/rail.js").then(({ PAGES }) => PAGES)"""
+PAGES = """() => import("/js/shell/pages.js").then(({ PAGES }) => Object.keys(PAGES))"""
 DOCUMENTS = sorted(file.name for file in (ROOT / "web_static").glob("*.html"))
 IN_VIEW = """(one) => {
   const { left, top, right, bottom } = one.getBoundingClientRect();

@@ -54,7 +54,7 @@ MAY_IMPORT = {
     ),
     "study": (
         *(LEAVES, "signals", "recording", "world", "calibration", *PURE_CHAIN, "scoring", "hardware.base"),
-        *("hardware.body", "hardware.shirt.fabric", "hardware.chair.simulator"),
+        *("hardware.body", "hardware.shirt.simulated_fabric", "hardware.chair.simulator"),
     ),
     "features": (
         *(LEAVES, "recording", "signals", "world", "calibration", "scoring", "store", "session", "figures"),

@@ -1,6 +1,7 @@
 """requirements/: what pyproject.toml asks for has one version with digests, and nothing else is there."""
 
 import re
+import tomllib
 from importlib.metadata import PackageNotFoundError, requires
 
 import pytest
@@ -8,7 +9,8 @@ from packaging.markers import default_environment
 from packaging.requirements import Requirement
 from packaging.utils import canonicalize_name
 
-from supply.pins import FOLDER, LINUX, LISTS, MACHINES, Machine, lists_before, pin, required
+from folders import ROOT
+from supply.pins import FOLDER, LINUX, LISTS, MACHINES, PYTHONS, Machine, lists_before, pin, required
 
 PIN = re.compile(r"^([a-z0-9-]+)==(\S+)(?: ; (.+))?$")
 DIGEST = re.compile(r"^--hash=sha256:[0-9a-f]{64}$")
@@ -145,3 +147,10 @@ def test_linux_on_both_processors_lacks_no_wheel_of_what_runs_and_tests_the_prog
     lacking = {name for name in LISTS if " has no wheel for " in (FOLDER / f"{name}.txt").read_text()}
     assert lacking <= {"ros2"}
     assert Machine("Linux", "x86_64", (3, 11)) in MACHINES
+
+
+def test_the_oldest_python_is_that_of_an_installation() -> None:
+    document = tomllib.loads((ROOT / "pyproject.toml").read_text())
+    oldest = "{}.{}".format(*PYTHONS[0])
+    assert document["project"]["requires-python"] == f">={oldest}"
+    assert document["tool"]["mypy"]["python_version"] == oldest

@@ -8,7 +8,6 @@ from typing import Final
 from folders import ROOT
 
 WORDS: Final = ROOT / "web_static" / "words"
-LANGUAGES: Final = sorted(folder.name for folder in WORDS.iterdir())
 SCRIPTS: Final = ROOT / "web_static" / "js"
 BEGINNING: Final = re.compile(r"^([a-zA-Z][\w-]*) *=", re.MULTILINE)
 VARIABLE: Final = re.compile(r"\{ *\$(\w+)")

@@ -1,11 +1,14 @@
 """What a tablet needs to put the program on its home screen: the manifest and its icons."""
 
 import json
+import re
 from typing import Any
 
 import pytest
 from PIL import Image
-from web_static.home_screen_icons import ICONS, STATIC
+from web_static.home_screen_icons import ICONS, STATIC, TEAL
+
+from folders import ROOT
 
 MANIFEST = json.loads((STATIC / "bodydrive.webmanifest").read_text())
 
@@ -19,6 +22,15 @@ def test_the_manifest_opens_the_program_full_screen() -> None:
     entry = (STATIC / "index.html").read_text()
     assert 'rel="manifest" href="bodydrive.webmanifest"' in entry
     assert 'rel="apple-touch-icon" href="icons/apple-180.png"' in entry
+
+
+def test_one_colour_is_that_of_the_pages_the_home_screen_and_the_reports() -> None:
+    """Files that read no style sheet repeat the colour of the light theme."""
+    match = re.search(r"^  --teal: (#\w{6});$", (STATIC / "css" / "tokens.css").read_text(), flags=re.MULTILINE)
+    assert match
+    assert MANIFEST["theme_color"] == TEAL == match[1]
+    repeat_it = ("web_static/icon.svg", "data/reports/report.css", "data/reports/report.typ")
+    assert [name for name in repeat_it if TEAL not in (ROOT / name).read_text()] == []
 
 
 @pytest.mark.parametrize(("name", "size", "share"), ICONS)

@@ -7,7 +7,6 @@ from collections import Counter
 import pytest
 from web_static.messages import (
     COMPARED,
-    LANGUAGES,
     LITERAL,
     TEMPLATE,
     WORDS,
@@ -21,6 +20,7 @@ from web_static.messages import (
 )
 
 from app.api.pages import ALONE, IN_ENTRIES, IN_ENTRY
+from app.texts import LANGUAGES
 from folders import ROOT
 
 # Of classes without a style, of an event, of an element, and of formats that the server names.
@@ -73,6 +73,10 @@ def test_a_language_is_complete_and_its_messages_hold_the_same_values(language):
     assert english.keys() - translated.keys() == set()
     assert translated.keys() - english.keys() == set()
     assert {key: translated[key] for key in english if translated[key] != english[key]} == {}
+
+
+def test_each_language_has_its_own_name_by_which_a_reader_chooses_it():
+    assert {f"language-{language}" for language in LANGUAGES} - ALL == set()
 
 
 class Anything:

@@ -1,7 +1,8 @@
 """What single modules of the pages do; each script runs some of them in node, without a page."""
 
 import pytest
-from web_static.messages import LANGUAGES
+
+from app.texts import LANGUAGES
 
 SCRIPTS = {
     "camera/camera": "a page is the camera from its start to its end, and sends nothing but samples",
@@ -14,7 +15,7 @@ SCRIPTS = {
     "editor_logic": "the floor plan editor changes documents by its tools, and takes changes back",
     "moment_word": "the patient's screen has a large word for every end of a trial",
     "news": "a page asks again only after news that may concern what it shows",
-    "page_help": "every page says what it is for in three sentences, and has a drawing",
+    "page_help": "every page has its module and its name, says what it is for in three sentences, and has a drawing",
     "pages/first_path": "review begins with a task that can be compared, and says what counts",
     "pages/obstacle_link": "a calibration that does not fit leads to a new one",
     "patient/arrow_and_sounds": "the arrow and the sounds of the patient's screen mean what happens",

@@ -5,7 +5,7 @@ from typing import Annotated, Any
 
 from pydantic import Field
 
-from app.api.live.hub import LiveHub
+from app.api.live.picture_sender import PictureSender
 from app.news import News
 from app.texts import Text
 
@@ -18,8 +18,8 @@ PicturesPerSecond = Annotated[float, Field(strict=True, allow_inf_nan=False, ge=
 class Graphics:
     """Asks the screens, and keeps the answer of each, by its live socket."""
 
-    def __init__(self, *hubs: LiveHub[Any]) -> None:
-        self._hubs = hubs
+    def __init__(self, *senders: PictureSender[Any]) -> None:
+        self._senders = senders
         self._names: dict[object, Text] = {}
         self._rates: dict[object, float] = {}
 
@@ -39,7 +39,7 @@ class Graphics:
     async def ask(self) -> list[tuple[Text, float | None]]:
         """Return the name of each open screen and its pictures a second, None for one that did not answer."""
         self._rates.clear()
-        for hub in self._hubs:
-            hub.notify(COUNT)
+        for sender in self._senders:
+            sender.notify(COUNT)
         await asyncio.sleep(ANSWER_LIMIT)
         return [(name, self._rates.get(socket)) for socket, name in self._names.items()]

@@ -7,7 +7,6 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from app.api.live.hub import LiveHub
 from app.api.live.message import (
     DriveMoment,
     FaultMessage,
@@ -20,6 +19,7 @@ from app.api.live.message import (
     TestMoment,
     TrialMoment,
 )
+from app.api.live.picture_sender import PictureSender
 from app.calibration.channel_quality import channel_quality
 from app.clock import monotonic
 from app.faults import EXPLANATIONS, Fault, is_pause
@@ -318,5 +318,5 @@ def _number(value: Any, digits: int) -> Number:
     return round(number, digits) if math.isfinite(number) else None
 
 
-class ClinicLive(LiveHub[LiveMessage]):
+class ClinicLive(PictureSender[LiveMessage]):
     """Sends the live picture to the pages of the people who are signed in."""

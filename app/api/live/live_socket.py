@@ -11,7 +11,7 @@ from starlette.websockets import WebSocketDisconnect
 
 from app.api.computer.graphics import Graphics, PicturesPerSecond
 from app.api.deps import ControlPart, Db, GraphicsPart, LivePart, SessionFlowPart, SocketsPart
-from app.api.live.hub import Viewer
+from app.api.live.picture_sender import Viewer
 from app.api.sockets import OpenSockets
 from app.layout import MAX_JOINTS
 from app.quantities import Document, Fraction, Name, Radians

@@ -2,9 +2,9 @@
 
 from pydantic import ConfigDict, Field
 
-from app.api.live.hub import LiveHub
 from app.api.live.live_picture import LivePicture
 from app.api.live.message import CommonMessage, MessagePart, Number, RunMoment
+from app.api.live.picture_sender import PictureSender
 from app.calibration.script import movement_instruction
 from app.faults import Fault, State
 from app.session.equipment.shirt import Equipment
@@ -136,5 +136,5 @@ class PatientPicture:
         )
 
 
-class PatientLive(LiveHub[PatientMessage]):
+class PatientLive(PictureSender[PatientMessage]):
     """Sends the picture of the patient's screens."""

@@ -10,8 +10,8 @@ from pydantic import ValidationError
 
 from app.api.computer.graphics import Graphics, PicturesPerSecond
 from app.api.deps import Db, GraphicsPart, LivePart, PatientLivePart, PatientPicturePart, PicturesPart, SocketsPart
-from app.api.live.hub import Viewer
 from app.api.live.live_picture import ClinicLive
+from app.api.live.picture_sender import Viewer
 from app.api.live.screen_pictures import Picture, ScreenPictures
 from app.api.sockets import cut_off
 from app.clock import monotonic

@@ -74,7 +74,7 @@ def fit_joint(
 ) -> FittedJoint:
     """Return the map of one joint from frames (n, n_channels) without NaN; `repetitions` are those of the joint."""
     pca = JointPCA(channels).fit(free)
-    direction = Direction(channels, pca.components_[0], pca.mean_)
+    direction = Direction(channels, pca.direction, pca.mean_)
     angle = None
     prompted = _prompted_direction(channels, repetitions, sample_rate)
     if prompted is not None:
@@ -127,9 +127,7 @@ def _prompted_direction(
     moved = [repetition.values[with_lag(repetition, sample_rate)] for repetition in repetitions]
     if sum(map(len, moved)) <= 3 * len(channels):
         return None
-    pca = JointPCA(channels).fit(np.concatenate([piece - piece.mean(axis=0) for piece in moved]))
-    direction: NDArray[np.float64] = pca.components_[0]
-    return direction
+    return JointPCA(channels).fit(np.concatenate([piece - piece.mean(axis=0) for piece in moved])).direction
 
 
 def least_steps(

@@ -36,9 +36,15 @@ class JointPCA:
         self.explained_variance_ratio_: NDArray[np.float64] = fitted.explained_variance_ratio_
         return self
 
+    @property
+    def direction(self) -> NDArray[np.float64]:
+        """The first component (k,), the only one that a map has."""
+        first: NDArray[np.float64] = self.components_[0]
+        return first
+
     def transform(self, values: NDArray[np.float64]) -> NDArray[np.float64]:
         """Return the projection (n,) of frames (n, n_channels) on the first component, in signal units."""
-        place: NDArray[np.float64] = (values[:, self.channels] - self.mean_) @ self.components_[0]
+        place: NDArray[np.float64] = (values[:, self.channels] - self.mean_) @ self.direction
         return place
 
 

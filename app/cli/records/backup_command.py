@@ -24,7 +24,6 @@ if TYPE_CHECKING:
     from app.features.backup.service import MadeReport
 
 PASSPHRASE = "BODYDRIVE_PASSPHRASE"  # noqa: S105  (the name of a variable)
-SHORTEST = 8  # characters
 
 
 def backup(
@@ -159,14 +158,16 @@ def _secret_to_read(source: Path) -> "Secret | None":
 
 
 def _passphrase(*, is_new: bool) -> str:
+    from app.features.backup.age_files import SHORTEST_PASSPHRASE
+
     passphrase = os.environ.get(PASSPHRASE)
     if passphrase is None:
         if not sys.stdin.isatty():
             raise InputError(Text("cli-passphrase-needed", variable=PASSPHRASE))
         question = str(Text("cli-passphrase"))
         passphrase = typer.prompt(question, hide_input=True, confirmation_prompt=is_new, err=True)
-    if is_new and len(passphrase) < SHORTEST:
-        raise InputError(Text("cli-passphrase-short", least=SHORTEST))
+    if is_new and len(passphrase) < SHORTEST_PASSPHRASE:
+        raise InputError(Text("cli-passphrase-short", least=SHORTEST_PASSPHRASE))
     return str(passphrase)
 
 

@@ -19,6 +19,7 @@ from app.features.backup.quiet_files import PART, Reader, Writer
 from app.refusals import Refusal
 from app.texts import Text
 
+SHORTEST_PASSPHRASE: Final = 8  # characters, of a new one
 TOO_MUCH_WORK: Final = "Excessive work"  # pyrage measures this computer's speed at each call
 ATTEMPTS: Final = 5  # of a computer that is busy for a moment
 WRONG: Final = Text("backups-wrong-passphrase")

@@ -12,6 +12,7 @@ from app.api.deps import ComputingPart, Db, Owner, RowId, SettingsPart
 from app.api.page_session import OF_CLINIC, OWN_NAME, any_session
 from app.api.parts import part
 from app.computing_process import ComputingProcess
+from app.features.backup.age_files import SHORTEST_PASSPHRASE
 from app.features.backup.contents import clinic_mark
 from app.features.backup.kept_backups import DAILY, MONTHLY, WEEKLY
 from app.features.backup.made_backups import backup_warning, last_good_backup, newest_backups
@@ -33,6 +34,7 @@ from app.texts import Text
 router = APIRouter(tags=["backup"])
 
 Reason = Annotated[Line, Field(min_length=3, max_length=400)]
+Passphrase = Annotated[SecretStr, Field(min_length=SHORTEST_PASSPHRASE, max_length=200)]
 
 Backups = Annotated[NightBackups, Depends(part(NightBackups))]
 
@@ -43,7 +45,7 @@ class BackupSettings(Document):
     folder: Annotated[Line, Field(max_length=1000)] | None
     hour: Annotated[int, Field(strict=True, ge=0, le=23)]
     with_keys: bool
-    passphrase: Annotated[SecretStr, Field(min_length=8, max_length=200)] | None = None  # None: as before
+    passphrase: Passphrase | None = None  # None: as before
     encrypted: bool
 
 

@@ -9,6 +9,7 @@ from pydantic import Field
 from app.api.answers import Answer, MomentText
 from app.api.deps import Db, Owner, SettingsPart
 from app.clock import utc_now
+from app.download_name import download_name
 from app.features.log.service import exported_lines, people_in_log, read_log
 from app.quantities import Document
 from app.store.log import write_log
@@ -82,7 +83,7 @@ def export(form: Literal["csv", "jsonl"], person: Owner, database: Db) -> Stream
     """
     with database.transaction(closing=True) as db:
         write_log(db, person.name, "log exported", form=form)
-    name = f"bodydrive-log-{utc_now():%Y%m%dT%H%M%SZ}.{form}"
+    name = download_name("log", utc_now(), form)
     lines = exported_lines(database, as_csv=form == "csv")
     headers = {"Content-Disposition": f'attachment; filename="{name}"'}
     return StreamingResponse(lines, media_type=MEDIA_TYPES[form], headers=headers)

@@ -6,6 +6,7 @@ from datetime import date, datetime
 from typing import Any, Final
 
 from app import __version__
+from app.download_name import download_name
 from app.features.records.service import Scale
 from app.features.registration import TrialRemark
 from app.features.reports.characters import without_invisible
@@ -47,7 +48,7 @@ def report_file(material: ReportMaterial, form: Form, paper: Paper, language: st
 def file_name(material: ReportMaterial, form: Form) -> str:
     """Return a name for the file, without any name of the patient."""
     what = "course" if material.session is None else f"session-{material.session}"
-    return f"bodydrive-report-{material.patient_id}-{what}-{material.made:%Y%m%dT%H%M%SZ}.{form}"
+    return download_name(f"report-{material.patient_id}-{what}", material.made, form)
 
 
 def compose(material: ReportMaterial) -> Report:

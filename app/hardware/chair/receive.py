@@ -20,11 +20,12 @@ from app.hardware.chair.key import KeyRefused, read_key
 from app.hardware.chair.outputs import OUTPUTS, Output, OutputRefused, open_output
 from app.hardware.chair.packet import FRAME_BYTES
 from app.hardware.chair.reasons import DESCRIPTIONS, Reason
-from app.hardware.chair.receiver import OMEGA_MAX, V_MAX, Receiver
+from app.hardware.chair.receiver import Receiver
 from app.hardware.chair.telemetry_sender import TelemetrySender
 from app.hardware.shirt.sender_choice import Address
 from app.ports import RECEIVER_PORT
 from app.realtime import go_real_time
+from app.speed_ceiling import HIGHEST_SPEED, HIGHEST_TURN_RATE
 
 RECEIVE_BUFFER = 1 << 20  # bytes: room for a command behind the datagrams of a flood that come while the loop sleeps
 DESCRIPTION = """The chair's side of the link: checks every command, watches the time, ramps, and drives an output.
@@ -235,8 +236,20 @@ def _parser(program: str) -> argparse.ArgumentParser:
         default=RECEIVER_PORT,
         help=f"the port to listen on (default {RECEIVER_PORT}); 0 takes a free one",
     )
-    add("--v-max", type=_up_to(V_MAX), default=V_MAX, metavar="M_PER_S", help=f"at most {V_MAX:g}, the default")
-    add("--omega-max", type=_up_to(OMEGA_MAX), default=OMEGA_MAX, metavar="RAD_PER_S", help=f"at most {OMEGA_MAX:g}")
+    add(
+        "--v-max",
+        type=_up_to(HIGHEST_SPEED),
+        default=HIGHEST_SPEED,
+        metavar="M_PER_S",
+        help=f"at most {HIGHEST_SPEED:g}, the default",
+    )
+    add(
+        "--omega-max",
+        type=_up_to(HIGHEST_TURN_RATE),
+        default=HIGHEST_TURN_RATE,
+        metavar="RAD_PER_S",
+        help=f"at most {HIGHEST_TURN_RATE:g}",
+    )
     add("--paired", type=_host_and_port, metavar="HOST:PORT", help="where telemetry is sent at rest, too")
     add("--stop-input", type=Path, metavar="FILE", help="begins with 0: not pressed; anything else, or none: pressed")
     add("--battery-input", type=Path, metavar="FILE", help="the charge, a number from 0 to 1")

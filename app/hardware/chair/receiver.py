@@ -23,6 +23,7 @@ from app.hardware.chair.packet import (
     encode_telemetry,
 )
 from app.hardware.chair.reasons import Reason
+from app.speed_ceiling import HIGHEST_SPEED, HIGHEST_TURN_RATE
 
 NEUTRAL_TIME = 0.5  # s of zero commands before motion, as in the gate (S2)
 NEUTRAL_PATIENCE = 5.0  # s of the neutral check after which the chair is disarmed
@@ -37,7 +38,6 @@ ACCELERATION, TURN_ACCELERATION = (
     20.0,
 )  # m/s2, rad/s2: the chair's own ramps, steeper than those of any parameter set
 STOP_DECELERATION, STOP_TURN_DECELERATION, STOP_TIME = 3.0, 6.0, 0.25  # as in the gate: m/s2, rad/s2, s
-V_MAX, OMEGA_MAX = 1.5, 2.5  # m/s, rad/s: upper limits of every receiver
 
 
 class ReceiverState(IntEnum):
@@ -86,8 +86,8 @@ class Receiver:
     def __init__(
         self,
         key: Key,
-        v_max: float = V_MAX,
-        omega_max: float = OMEGA_MAX,
+        v_max: float = HIGHEST_SPEED,
+        omega_max: float = HIGHEST_TURN_RATE,
         *,
         refuses_virtual: bool = False,
         new_nonce: Callable[[int], bytes] = secrets.token_bytes,

@@ -10,8 +10,8 @@ from pydantic.config import JsonDict
 from app.clock import Clock
 from app.hardware.base import Body, BodyView, HardwareError
 from app.hardware.body.minimum_jerk import minimum_jerk
-from app.hardware.shirt.fabric import Fabric
 from app.hardware.shirt.kind import FieldTexts, ShirtConfig, ShirtKind, ShirtRate, Trust, page_texts
+from app.hardware.shirt.simulated_fabric import Fabric
 from app.hardware.shirt.standard import standard_layout
 from app.layout import ShirtLayout
 from app.messages import SensorFrame

@@ -9,6 +9,7 @@ from api.people_of_clinic import OWNER, accepted, invited
 from app.api.sign_in import set_up
 from app.api.sign_in.hashing import Hashing
 from app.clock import monotonic
+from app.texts import LANGUAGES
 
 
 def test_the_code_of_the_link_signs_in_as_often_as_it_is_opened(clinic: Any) -> None:
@@ -18,7 +19,7 @@ def test_the_code_of_the_link_signs_in_as_often_as_it_is_opened(clinic: Any) -> 
         "needs_setup": False,
         "version": "0.2.0",
         "language": "en",
-        "languages": ["en", "es", "de"],
+        "languages": list(LANGUAGES),
     }
     assert clinic.good("GET", "/auth/me") == nobody | program
     assert clinic("POST", "/auth/demo", json={"code": "another"}).status_code == 401

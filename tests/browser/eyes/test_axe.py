@@ -23,8 +23,9 @@ VISITED = {name: open_place for name, open_place in PLACES.items() if ", " not i
 # The addresses that the application itself knows: pages, and those below Drive and Review.
 KNOWN = """async () => {
   const [{ PAGES }, { BELOW }, { OWN_PAGES }] = await Promise.all(
-    ["shell/rail", "pages/drive/drive", "pages/review/review"].map((name) => import(`/js/${name}.js`)));
-  return [...PAGES, ...Object.keys(BELOW).map((one) => `drive/${one}`), ...OWN_PAGES.map((one) => `review/${one}`)];
+    ["shell/pages", "pages/drive/drive", "pages/review/review"].map((name) => import(`/js/${name}.js`)));
+  const below = [...Object.keys(BELOW).map((one) => `drive/${one}`), ...OWN_PAGES.map((one) => `review/${one}`)];
+  return [...Object.keys(PAGES), ...below];
 }"""
 
 BROKEN = """<!doctype html><html lang="en"><title>A page</title><main><h1>A page</h1>

@@ -2,6 +2,7 @@
 
 import csv
 import json
+import re
 import subprocess
 import sys
 import zipfile
@@ -20,7 +21,7 @@ from stored_interface_test import store_interface_test
 from app import __version__
 from app.clock import utc_now
 from app.features.backup.contents import clinic_mark
-from app.features.exports.forms import Form
+from app.features.exports.forms import FORMS, Form
 from app.features.exports.service import export_steps
 from app.features.exports.xdf_form import COMMANDS, POSE
 from app.features.log.service import read_log
@@ -30,6 +31,7 @@ from app.scoring.interface_test.workload import Workload
 from app.scoring.measures import TEST_MEASURES as TEST_UNITS
 from app.settings import Settings
 from app.store import people
+from folders import ROOT
 
 
 @pytest.fixture(scope="module")
@@ -251,3 +253,9 @@ def test_without_consent_nothing_is_exported_and_nothing_is_logged(tmp_path):
         material_of(settings, "csv")
     with rows_in(settings) as rows:
         assert "export" not in {row.what for row in read_log(rows.db, 100)}
+
+
+def test_the_page_offers_every_form_in_its_order():
+    card = (ROOT / "web_static" / "js" / "pages" / "session" / "export_card.js").read_text()
+    offered = re.search(r"^const FORMS = \[(.+), ARCHIVE\];$", card, flags=re.MULTILINE)
+    assert tuple(json.loads(f"[{offered[1]}]")) == FORMS

@@ -10,7 +10,6 @@ from app.hardware.chair.packet import DRIVE, STOP
 from app.hardware.chair.reasons import Reason
 from app.hardware.chair.receiver import ReceiverState
 from app.pipeline import safety_gate, stop_ramp
-from app.speed_limits import HIGHEST_SPEEDS
 
 ARMED, DISARMED = ReceiverState.ARMED, ReceiverState.DISARMED
 STANDS = (0.0, 0.0)
@@ -53,7 +52,6 @@ def test_the_stop_is_that_of_the_gate():
         assert getattr(receiver_module, name) == getattr(stop_ramp, name), name
     for name in ("NEUTRAL_TIME", "NEUTRAL_PATIENCE"):
         assert getattr(receiver_module, name) == getattr(safety_gate, name), name
-    assert (HIGHEST_SPEEDS.forward, HIGHEST_SPEEDS.turn) == (receiver_module.V_MAX, receiver_module.OMEGA_MAX)
 
 
 def test_the_stopping_distance():

@@ -7,7 +7,7 @@ from types import SimpleNamespace
 
 import pytest
 
-from app.api.live import hub
+from app.api.live import picture_sender
 from app.news import News
 from app.store.files import disk_watch
 from app.store.files.ballast import Ballast
@@ -51,4 +51,4 @@ def test_open_pages_are_told_within_two_seconds_of_a_full_disk(
         asyncio.run(watch._watch())
     (told,) = disk.told
     assert full <= told
-    assert told + hub.EVERY - full < TOLD_WITHIN  # the next picture carries it to the pages
+    assert told + picture_sender.EVERY - full < TOLD_WITHIN  # the next picture carries it to the pages

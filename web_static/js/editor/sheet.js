@@ -15,12 +15,11 @@ import { drawing } from "./drawing.js";
 import { STEP, tidy } from "./geometry.js";
 import { listenToKeys } from "./keys.js";
 import { listenToPointers } from "./pointers.js";
-import { snap, snapPlace } from "./snap.js";
+import { REACH, snap, snapPlace } from "./snap.js";
 import { finishLine, placeChosen, tap, withTool } from "./tools.js";
 import { ZOOM } from "./view_buttons.js";
 import { fitView, panView, toPlace, zoomView } from "./viewport.js";
 
-const REACH = 22; // px around a finger
 const FINE = 0.01; // m, step of an arrow key without the grid
 
 /** @param {EditorStore} store */

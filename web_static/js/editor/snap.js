@@ -5,6 +5,9 @@
  */
 import { distance, tidy } from "./geometry.js";
 
+/** Around a finger, px: within it a wall end catches a point, and an item is hit. */
+export const REACH = 22;
+
 /** The nearest point of the grid. @param {Point} place @param {number} step m, of the grid; 0: no grid @returns {Point} */
 export function snap([x, y], step) {
   if (!step) return [tidy(x), tidy(y)];

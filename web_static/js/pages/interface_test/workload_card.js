@@ -1,26 +1,23 @@
 /**
  * How demanding the test felt: six sliders of the NASA task load index, each of which may be left out.
- * @import { InterfaceTestView } from "types/api"
+ * @import { InterfaceTestView, Workload } from "types/api"
  */
 import { failureWords } from "../../api.js";
 import { h, useRef, useSignal } from "../../preact.js";
-import { numberLimits } from "../../reference.js";
+import { numberLimits, REFERENCE } from "../../reference.js";
 import { t } from "../../texts.js";
 import { number } from "../../widgets/format.js";
 
-const QUESTIONS = /** @type {const} */ (["mental", "physical", "temporal", "performance", "effort", "frustration"]);
 const STEP = 5;
 const MIDDLE = 50; // where a slider stands that nobody has moved
 
-/** @typedef {(typeof QUESTIONS)[number]} QuestionName */
-/** null: left out @typedef {Record<QuestionName, number | null>} Answers */
-
-/** @type {Answers} */
-const NO_ANSWERS = { mental: null, physical: null, temporal: null, performance: null, effort: null, frustration: null };
+/** The questions, as the server has them. */
+const questions = () => /** @type {(keyof Workload)[]} */ (Object.keys(REFERENCE.limits.Workload));
+const unanswered = () => Object.fromEntries(questions().map((name) => [name, null]));
 
 /** @param {{app: import("../../main.js").App, test: InterfaceTestView}} card */
 export function WorkloadCard({ app, test }) {
-  const answers = useSignal({ ...NO_ANSWERS, ...test.workload });
+  const answers = useSignal(/** @type {Workload} */ ({ ...unanswered(), ...test.workload })); // null: left out
   const reply = useSignal(/** @type {InterfaceTestView | null} */ (null)); // what the server answered
   const problem = useSignal("");
   const save = async () => {
@@ -39,7 +36,7 @@ export function WorkloadCard({ app, test }) {
     h(
       "div",
       { class: "workload-questions" },
-      QUESTIONS.map((name) =>
+      questions().map((name) =>
         h(Question, {
           key: name,
           name,
@@ -62,7 +59,7 @@ export function WorkloadCard({ app, test }) {
   );
 }
 
-/** @param {{name: QuestionName, answer: number | null, onAnswer: (answer: number | null) => void}} question */
+/** @param {{name: keyof Workload, answer: number | null, onAnswer: (answer: number | null) => void}} question */
 function Question({ name, answer, onAnswer }) {
   const input = useRef(/** @type {HTMLInputElement | null} */ (null));
   const id = `workload-${name}`;

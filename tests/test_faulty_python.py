@@ -7,7 +7,7 @@ from typing import Any
 import pytest
 
 from app.cli import serve, server
-from app.python_release import SAFE_FROM, python_warning
+from app.faulty_python import SAFE_FROM, python_warning
 from app.settings import Settings
 
 

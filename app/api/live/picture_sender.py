@@ -57,7 +57,7 @@ class Viewer:
         return None
 
 
-class LiveHub(Generic[Message]):
+class PictureSender(Generic[Message]):
     """Sends the newest picture to every viewer; a slow viewer misses pictures but no news.
 
     The viewers get it one after another, a few in each turn of the event loop. To two hundred at once it would take

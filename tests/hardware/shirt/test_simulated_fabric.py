@@ -3,7 +3,7 @@ import pytest
 
 from app.cues import Cue
 from app.hardware.body.person import CuedBody
-from app.hardware.shirt.fabric import FULL_SCALE, PEAKY, STEPS, Fabric, FabricProperties
+from app.hardware.shirt.simulated_fabric import FULL_SCALE, PEAKY, STEPS, Fabric, FabricProperties
 from app.hardware.shirt.standard import standard_layout
 
 DT = 0.01  # s

@@ -1,4 +1,4 @@
-"""Counts of a trial: standstills, command pulses, changes of the turning direction."""
+"""Counts of a trial: stops of the chair, pulses of the commands, changes of the turning direction."""
 
 import numpy as np
 from numpy.typing import NDArray
