@@ -47,9 +47,9 @@ def joint_groups(values: NDArray[np.float64] | NDArray[np.float32], sample_rate:
        the nearest other group, (b - a) / max(a, b), and 0 of a group's only channel. Of the partitions into 2 to
        MAX_JOINTS groups whose mean silhouette is within NEARLY of the best, the one of fewest groups is chosen: a
        single channel that hangs behind the others makes no joint of its own.
-    6. The groups are clear when that mean silhouette is at least APART; otherwise nothing is proposed. Before, where the
+    6. The groups are clear when that mean silhouette is at least APART; otherwise nothing is proposed. But where the
        mean |r| between the last two groups is at least ALIKE, all channels are one joint: silhouettes compare distances
-       with each other, and would divide also channels that all move alike.
+       with each other, and would also divide channels that all move alike.
 
     A joint with two ways to move, such as a shoulder, can make two groups. Joints that were always moved together make
     one. So this is a proposal, which people correct.

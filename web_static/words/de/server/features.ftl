@@ -1,4 +1,4 @@
-### Refusals of the server: comments on trials, consents, the two-minute test, layouts; and which channels move together.
+### Refusals of the server: comments on trials, consents, the two-minute test, layouts; and which sensors move together.
 
 # $number names the comment, as in the address of the page.
 comments-missing = Es gibt keinen Kommentar { $number }. Wählen Sie einen der Kommentare dieses Durchgangs.
@@ -17,8 +17,8 @@ layouts-name-taken = Es gibt schon ein Layout „{ $name }“. Geben Sie diesem 
 layouts-saved-meanwhile = „{ $name }“ wurde inzwischen an einem anderen Bildschirm gespeichert. Öffnen Sie es neu, und ändern Sie es dort.
 layouts-in-use = Das Shirt in Gebrauch hat das Layout „{ $name }“. Verwenden Sie zuerst ein anderes Layout, und löschen Sie dann dieses.
 # $count: 2 or more.
-layouts-proposal-groups = { $count } Gruppen von Kanälen bewegen sich gemeinsam.
-layouts-proposal-one = Alle bewegten Kanäle haben sich gemeinsam bewegt. Sie bilden ein einziges Gelenk.
+layouts-proposal-groups = { $count } Gruppen von Sensoren bewegen sich gemeinsam.
+layouts-proposal-one = Alle bewegten Sensoren haben sich gemeinsam bewegt. Sie bilden ein einziges Gelenk.
 layouts-proposal-unclear = Keine klaren Gruppen. Bewegen Sie ein Gelenk nach dem anderen, jedes mehrmals, und lassen Sie dann neu vorschlagen.
-layouts-proposal-still = Weniger als zwei Kanäle haben sich bewegt. Bewegen Sie jedes Gelenk, und lassen Sie dann neu vorschlagen.
-layouts-proposal-short = An weniger als { $least } Sekunden Signal lässt sich nicht erkennen, welche Kanäle sich gemeinsam bewegen.
+layouts-proposal-still = Weniger als zwei Sensoren haben sich bewegt. Bewegen Sie jedes Gelenk, und lassen Sie dann neu vorschlagen.
+layouts-proposal-short = An weniger als { $least } Sekunden Signal lässt sich nicht erkennen, welche Sensoren sich gemeinsam bewegen.

@@ -1,4 +1,4 @@
-### Refusals of the server: comments on trials, consents, the two-minute test, layouts; and which channels move together.
+### Refusals of the server: comments on trials, consents, the two-minute test, layouts; and which sensors move together.
 
 # $number names the comment, as in the address of the page.
 comments-missing = No hay ningún comentario { $number }: elija uno de los comentarios del ensayo.
@@ -17,8 +17,8 @@ layouts-name-taken = Ya hay una disposición “{ $name }”: dé otro nombre a 
 layouts-saved-meanwhile = “{ $name }” se ha guardado entretanto en otra pantalla: ábrala de nuevo y haga allí el cambio.
 layouts-in-use = La camiseta en uso tiene la disposición “{ $name }”: use primero otra disposición y elimine esta después.
 # $count: 2 or more.
-layouts-proposal-groups = Hay { $count } grupos de canales que se mueven juntos.
-layouts-proposal-one = Todos los canales que se movieron lo hicieron juntos: forman una sola articulación.
+layouts-proposal-groups = Hay { $count } grupos de sensores que se mueven juntos.
+layouts-proposal-one = Todos los sensores que se movieron lo hicieron juntos: forman una sola articulación.
 layouts-proposal-unclear = Los grupos no están claros: mueva una articulación tras otra, cada una varias veces, y pida después otra propuesta.
-layouts-proposal-still = Se movieron menos de dos canales: mueva todas las articulaciones y pida después otra propuesta.
-layouts-proposal-short = Con menos de { $least } segundos de señales no se ve qué canales se mueven juntos.
+layouts-proposal-still = Se movieron menos de dos sensores: mueva todas las articulaciones y pida después otra propuesta.
+layouts-proposal-short = Con menos de { $least } segundos de señales no se ve qué sensores se mueven juntos.
