@@ -87,7 +87,8 @@ def test_a_layout_is_made_changed_saved_and_used(own_demo: str, open_page: Any, 
 
     # What was exported is brought again under another name; what is no layout is one sentence.
     page.get_by_text("A file with a layout", exact=True).click()
-    page.get_by_label("File", exact=True).set_input_files({"name": "x.json", "mimeType": "application/json", "buffer": b"[1]"})
+    no_layout = {"name": "x.json", "mimeType": "application/json", "buffer": b"[1]"}
+    page.get_by_label("File", exact=True).set_input_files(no_layout)
     page.get_by_role("button", name="Make it").click()
     expect(page.get_by_role("alert").filter(has_text="x.json: this is no layout")).to_be_visible()
     page.get_by_label("File", exact=True).set_input_files(file)

@@ -23,7 +23,7 @@ def draft_of_file(file: Path) -> FileDraft:
     """Return the layout of the channels of a file of signals, in its order, and the channels that move together.
 
     A channel has the name of its column as far as a layout takes it. Its joint is that name without the number or axis
-    at its end, where a name has one and they give at least two joints.
+    at its end, where all names have one and they give at least two joints.
 
     Raises
     ------
@@ -38,7 +38,8 @@ def draft_of_file(file: Path) -> FileDraft:
         for number, (name, _) in enumerate(bare_names(signals.channel_names), 1)
     ]
     joints = [joint_in_name(label) for label in labels]
-    has_joints = joints != labels and 2 <= len(set(joints)) <= MAX_JOINTS
+    is_numbered = all(joint != label for joint, label in zip(joints, labels, strict=True))
+    has_joints = is_numbered and 2 <= len(set(joints)) <= MAX_JOINTS
     if not has_joints:
         joints = [WHOLE] * len(labels)
     layout = ShirtLayout(

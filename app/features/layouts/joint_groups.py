@@ -73,9 +73,9 @@ def joint_groups(values: NDArray[np.float64] | NDArray[np.float32], sample_rate:
        Kansas Science Bulletin 38, 1958.
     .. [2] P. J. Rousseeuw: Silhouettes: a graphical aid to the interpretation and validation of cluster analysis.
        Journal of Computational and Applied Mathematics 20, 1987; APART is of L. Kaufman, P. J. Rousseeuw: Finding
-       Groups in Data, 1990, table 4 of chapter 2.
+       Groups in Data, 1990, chapter 2.
     """
-    if len(values) < SHORTEST * sample_rate:
+    if len(values) < SHORTEST * max(sample_rate, 1.0 / BLOCK):
         return JointGroups("short")
     rates = _rates(values, sample_rate)
     has_moved = _has_moved(rates)

@@ -46,7 +46,8 @@ def test_names_are_those_of_the_columns_as_far_as_a_layout_takes_them(signals: P
     ("names", "joints"),
     [
         (["right_elbow_1", "right_elbow_2", "left_elbow_1", "left_elbow_2"], ["right_elbow", "left_elbow"]),
-        (["hand.x", "hand.y", "head.x", "trunk"], ["hand", "head", "trunk"]),
+        (["hand.x", "hand.y", "head.x", "head.y"], ["hand", "head"]),
+        (["hand.x", "hand.y", "head.x", "trunk"], None),  # one says none
         (["ch1", "ch2", "ch3", "ch4"], None),  # numbers alone say no joints
         (["A", "B", "C", "D"], None),
     ],

@@ -25,10 +25,11 @@ const NAME = "[A-Za-z0-9][A-Za-z0-9_.\\-]*"; // what a document takes (app/quant
 const NEW = "+"; // no joint has this name
 
 /** @param {{store: LayoutStore}} form */
-export function ChannelForm({ store: { draft, picked, change } }) {
+export function ChannelForm({ store: { draft, picked, discards, change } }) {
   const index = picked.value;
   const layout = draft.value;
   const channel = layout.channels[index];
+  const typed = `${index} ${discards.value}`; // fields of another channel, or of changes that were given up, begin anew
   /** @param {Partial<Channel>} changes */
   const set = (changes) => change((now) => withChannel(now, index, changes));
   /** @param {string} name */
@@ -48,7 +49,7 @@ export function ChannelForm({ store: { draft, picked, change } }) {
     "section",
     { class: "card stack", "data-card": "channel" },
     h("h2", {}, sensorName(channel.name)),
-    h(NameField, { key: `name ${index}`, channel, onChange: (name) => set({ name }) }),
+    h(NameField, { key: `name ${typed}`, channel, onChange: (name) => set({ name }) }),
     h(
       Field,
       { label: t("layouts-joint"), hint: t("layouts-joint-hint") },
@@ -75,7 +76,7 @@ export function ChannelForm({ store: { draft, picked, change } }) {
         t("layouts-place-take"),
       ),
     ),
-    h(RingFields, { key: `ring ${index} ${channel.joint}`, channel, most: layout.channels.length, onChange: set }),
+    h(RingFields, { key: `ring ${typed} ${channel.joint}`, channel, most: layout.channels.length, onChange: set }),
   );
 }
 

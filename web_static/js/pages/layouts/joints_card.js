@@ -44,7 +44,7 @@ export function JointsCard({ store }) {
 }
 
 /** @param {{store: LayoutStore, joint: Joint, count: number}} row count: of its channels */
-function JointRow({ store: { draft, change }, joint, count }) {
+function JointRow({ store: { draft, discards, change }, joint, count }) {
   const words = jointLabel(joint);
   const isUsual = USUAL_JOINTS.includes(joint.name);
   /** @param {string} name */
@@ -66,7 +66,7 @@ function JointRow({ store: { draft, change }, joint, count }) {
     }),
     !isUsual &&
       h("input", {
-        key: joint.name,
+        key: `${joint.name} ${discards.value}`,
         type: "text",
         "aria-label": t("layouts-joint-name-label", { joint: words }),
         defaultValue: joint.label,

@@ -29,40 +29,36 @@ export function showLayoutEditor(app, root, { entry, equipment, kinds, left }) {
 
 /** @param {{store: LayoutStore}} page */
 function Page({ store }) {
-  const { draft, picked, moving, isLive, equipment, change } = store;
-  const layout = draft.value;
+  const { draft, isLive, equipment } = store;
+  const count = draft.value.channels.length;
   const arriving = equipment.value.layout?.channels.length ?? 0;
   return h(
     Fragment,
     {},
     h("h1", { tabindex: -1 }, t("layouts-edit-title", { name: store.saved.value.layout.name })),
-    h(
-      "p",
-      { class: "lead" },
-      isLive.value ? t("layouts-lead-live") : t("layouts-lead-not-live", { arriving, count: layout.channels.length }),
-    ),
+    h("p", { class: "lead" }, isLive.value ? t("layouts-lead-live") : t("layouts-lead-not-live", { arriving, count })),
     h(
       "div",
       { class: "layout-columns" },
-      h(
-        "div",
-        { class: "stack" },
-        h(
-          "section",
-          { class: "card" },
-          h("h2", {}, t("layouts-body"), h("span", { class: "quiet small" }, t("layouts-body-hint"))),
-          h(BodyPlaces, {
-            layout,
-            picked: picked.value,
-            moving: moving.value,
-            onPick: (index) => void (picked.value = index),
-            onPlace: (index, side, position) => change((now) => withPlace(now, index, side, position)),
-          }),
-        ),
-        h(JointsCard, { store }),
-      ),
+      h("div", { class: "stack" }, h(BodyCard, { store }), h(JointsCard, { store })),
       h("div", { class: "stack" }, h(ChannelList, { store }), h(ChannelForm, { store }), h(NameCard, { store })),
     ),
+  );
+}
+
+/** @param {{store: LayoutStore}} card */
+function BodyCard({ store: { draft, picked, moving, change } }) {
+  return h(
+    "section",
+    { class: "card" },
+    h("h2", {}, t("layouts-body"), h("span", { class: "quiet small" }, t("layouts-body-hint"))),
+    h(BodyPlaces, {
+      layout: draft.value,
+      picked: picked.value,
+      moving: moving.value,
+      onPick: (index) => void (picked.value = index),
+      onPlace: (index, side, position) => change((now) => withPlace(now, index, side, position)),
+    }),
   );
 }
 
@@ -132,9 +128,9 @@ function NameCard({ store: { draft, change } }) {
         required: true,
         ...textLimits("ShirtLayout", "name"),
         autocomplete: "off",
-        onChange: (/** @type {Event} */ { currentTarget }) => {
-          const input = /** @type {HTMLInputElement} */ (currentTarget);
-          if (input.reportValidity()) change((now) => ({ ...now, name: input.value.trim() }));
+        onInput: (/** @type {Event} */ { currentTarget }) => {
+          const name = /** @type {HTMLInputElement} */ (currentTarget).value;
+          change((now) => ({ ...now, name }));
         },
       }),
     ),

@@ -23,6 +23,7 @@ export function layoutStore(app, entry, first, kinds, left) {
   const moving = signal(/** @type {number[]} */ ([]));
   const problem = signal(""); // why it was not saved
   const isSending = signal(false);
+  const discards = signal(0); // how often changes were given up: what was typed goes with them
   const equipment = newestAnswer(
     app,
     left,
@@ -37,9 +38,9 @@ export function layoutStore(app, entry, first, kinds, left) {
   app.live.addEventListener(
     "tick",
     ({ detail: { t: now, values } }) => {
-      if (!values || now === null || !isLive.peek()) return;
+      if (!values || now === null) return;
       movement.push(now, values);
-      const indices = movement.moving(app.live.noise);
+      const indices = isLive.peek() ? movement.moving(app.live.noise) : [];
       if (indices.join() !== moving.peek().join()) moving.value = indices;
     },
     { signal: left },
@@ -55,20 +56,25 @@ export function layoutStore(app, entry, first, kinds, left) {
     forgetDraft();
     draft.value = saved.value.layout;
     problem.value = "";
+    discards.value += 1;
     picked.value = Math.min(picked.value, draft.value.channels.length - 1);
   };
   const save = async () => {
     if (isSending.value) return;
     const { id, version } = saved.value;
+    const { value: sent } = draft;
     problem.value = "";
     isSending.value = true;
     try {
-      const { own } = await app.api.put(`/layouts/${id}`, { version, layout: draft.value });
+      const layout = { ...sent, name: sent.name.trim() };
+      const { own } = await app.api.put(`/layouts/${id}`, { version, layout });
       const now = own.find((one) => one.id === id);
-      forgetDraft();
       if (now) saved.value = now;
-      draft.value = saved.value.layout;
-      app.toasts.show(t("layouts-saved", { name: draft.value.name }));
+      if (draft.value === sent) {
+        forgetDraft();
+        draft.value = saved.value.layout;
+      }
+      app.toasts.show(t("layouts-saved", { name: layout.name }));
     } catch (error) {
       problem.value = failureWords(error);
     }
@@ -85,6 +91,7 @@ export function layoutStore(app, entry, first, kinds, left) {
     moving,
     problem,
     isSending,
+    discards,
     isChanged,
     isLive,
     change,
