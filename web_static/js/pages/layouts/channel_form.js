@@ -70,8 +70,8 @@ export function ChannelForm({ store: { draft, picked, discards, change } }) {
         {
           type: "button",
           class: "btn small",
-          disabled: !channel.position,
-          onClick: () => change((now) => withoutPlace(now, index)),
+          "aria-disabled": !channel.position || undefined, // it keeps the focus
+          onClick: () => channel.position && change((now) => withoutPlace(now, index)),
         },
         t("layouts-place-take"),
       ),
