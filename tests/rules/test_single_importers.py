@@ -61,6 +61,9 @@ EXCEPTIONS: dict[str, tuple[str, ...]] = {
     "what trackers send and are answered is judged without the socket that they come by": (
         "app.hardware.shirt.slimevr_trackers",
     ),
+    "the computing process reads a file for a draft, and loads neither routes nor database": (
+        "app.features.layouts.drafts",
+    ),
     "what is sent over LSL is made of ticks apart from the thread that sends it": ("app.features.lsl.outlets",),
     "the control process passes ids on and loads no catalogue": ("app.fluent_catalogue",),
     "the map of one joint is fitted apart from what a profile makes of all joints": ("app.calibration.fit.joint_fit",),
