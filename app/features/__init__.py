@@ -19,6 +19,7 @@ NEEDS: Final[Mapping[str, tuple[str, ...]]] = {
     "log": (),
     "prior": (),
     "lsl": (),
+    "layouts": (),
 }
 """Each feature with those whose service it imports: without them it is left out, too."""
 

@@ -246,6 +246,20 @@ class ControlLink:
         with self._reading:
             return self._process.since(number) if self._process is not None and self.state == "alive" else None
 
+    def newest_frames(self, channels: int, sample_rate: float, seconds: float) -> NDArray[np.float64]:
+        """Return the shirt's frames (n, channels) of the last `seconds`, as many as the ring of ticks still holds.
+
+        `sample_rate` (Hz) is the shirt's. Without a control process n is 0. May be called from any thread.
+        """
+        newest = self.newest()
+        ticks = None
+        if newest is not None:
+            ticks = self.since(max(0, int(newest["number"]) - int(2 * seconds * max(sample_rate, 1.0))))
+        if newest is None or ticks is None:
+            return np.empty((0, channels))
+        recent = ticks[(ticks["has_frame"] == 1) & (ticks["t"] > float(newest["t"]) - seconds)]
+        return np.asarray(recent["values"][:, :channels], dtype=np.float64)
+
     async def _release(self, thread: LoopThread) -> None:
         with self._reading:
             process, self._process = self._process, None

@@ -5,12 +5,14 @@ from typing import Any
 
 import pytest
 from api.fake_clinic import Clinic
+from api.fake_process import LAYOUT
 from api.routes_with_ids import IDS, MISSING, places
 from stored_interface_test import store_interface_test
 
 from app.api import refusals
 from app.clock import utc_now
 from app.features.comments.service import add_comment
+from app.features.layouts.service import add_layout
 from app.features.sharing.service import add_share
 from app.refusals import DiskFull
 from app.store import tables
@@ -46,6 +48,7 @@ def theirs(signed_in: Clinic) -> Ids:
             link, _ = add_share(db, session.patient_id, None, "hash", 14, "Eve")
             ids = {"person": person.id, "patient": session.patient_id, "session": session.id, "trial": trial.id}
             ids |= {"interface_test": test.id, "moment_comment": comment.id, "share_link": link.id}
+            ids["clinic_layout"] = add_layout(db, LAYOUT).id
             return ids | {
                 "chair": rows.chair().id,
                 "patient_screen": db.query(tables.PatientScreen).one().id,

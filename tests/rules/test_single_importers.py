@@ -64,6 +64,9 @@ EXCEPTIONS: dict[str, tuple[str, ...]] = {
     "bleak's thread is read apart from the shirt, which the control loop calls": (
         "app.hardware.shirt.bluetooth_links",
     ),
+    "the computing process reads a file for a draft, and loads neither routes nor database": (
+        "app.features.layouts.drafts",
+    ),
     "what is sent over LSL is made of ticks apart from the thread that sends it": ("app.features.lsl.outlets",),
     "the control process passes ids on and loads no catalogue": ("app.fluent_catalogue",),
     "the map of one joint is fitted apart from what a profile makes of all joints": ("app.calibration.fit.joint_fit",),

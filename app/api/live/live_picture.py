@@ -134,7 +134,7 @@ class LivePicture:
         layout = self._equipment.layout
         if layout is None:
             return Quality(quality=[], noise=[], shirt_words=self._equipment.failure or "")
-        frames = self._frames(len(layout.channels))
+        frames = self._control.newest_frames(len(layout.channels), self._equipment.sample_rate, LOOK_BACK)
         tick = self._control.newest()
         estimated = 0 if tick is None else int(tick["estimated"])
         return Quality(
@@ -158,17 +158,6 @@ class LivePicture:
         if int(tick["number"]) < self._number:
             self._number = 0
         return tick
-
-    def _frames(self, channels: int) -> NDArray[np.float64]:
-        newest = self._control.newest()
-        if newest is None:
-            return np.empty((0, channels))
-        rate = max(self._equipment.sample_rate, 1.0)
-        ticks = self._control.since(max(0, int(newest["number"]) - int(2 * LOOK_BACK * rate)))
-        if ticks is None:
-            return np.empty((0, channels))
-        recent = ticks[(ticks["has_frame"] == 1) & (ticks["t"] > float(newest["t"]) - LOOK_BACK)]
-        return np.asarray(recent["values"][:, :channels], dtype=np.float64)
 
     def _values(self) -> list[Number] | None:
         if self._frame is None:

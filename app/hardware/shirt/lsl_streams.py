@@ -1,11 +1,10 @@
 """Chooses LSL streams by what people seek, and makes a layout of what the streams say of themselves. No network."""
 
 import math
-import re
-import unicodedata
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 from typing import Final, Literal, NamedTuple
 
+from app.channel_names import different_names, joint_in_name, plain_channel_name
 from app.hardware.base import HardwareError
 from app.layout import MAX_CHANNELS, MAX_JOINTS, Channel, Joint, ShirtLayout
 from app.lsl_library import OWN_SOURCE, LslInfo, LslLibrary
@@ -18,11 +17,8 @@ Sought = Mapping[Criterion, tuple[str, ...]]
 CRITERIA: Final[tuple[Criterion, ...]] = ("source_id", "name", "type", "host")
 MOST_NAMED: Final = 3  # streams in a sentence
 LONGEST_FACT: Final = 40  # characters of a stream's name or another fact, in a sentence: room for a UUID
-LONGEST_NAME: Final = 50  # characters of a channel or joint; a number follows where two would be equal
 LONGEST_UNIT: Final = 16
 WHOLE: Final = "body"  # the joint of all channels, where their names give more joints than a layout may have
-_OF_JOINT = re.compile(r"(?P<joint>.+?)(?:[_.-]?\d+|[_.-][xyzwXYZW])")
-"""The name of one of several channels of a joint: elbow_1, elbow2, hand.x."""
 
 
 class StreamFacts(NamedTuple):
@@ -113,17 +109,20 @@ def layout_of(streams: Sequence[tuple[StreamFacts, Sequence[ChannelFacts]]]) -> 
     described = [(facts, channel) for facts, channels in streams for channel in channels]
     if len(described) > MAX_CHANNELS:
         raise HardwareError(Text("shirtdev-lsl-channels", channels=len(described), most=MAX_CHANNELS))
-    of_streams = [_name(facts.name) or "channel" for facts, _ in described]
+    of_streams = [plain_channel_name(facts.name) or "channel" for facts, _ in described]
     labels = [
-        _name(channel.label) or f"{stream}_{number}"
+        plain_channel_name(channel.label) or f"{stream}_{number}"
         for stream, (_, channel), number in zip(of_streams, described, _numbers(streams), strict=True)
     ]
-    named = [_name(channel.joint) or _joint_in(label) for label, (_, channel) in zip(labels, described, strict=True)]
+    named = [
+        plain_channel_name(channel.joint) or joint_in_name(label)
+        for label, (_, channel) in zip(labels, described, strict=True)
+    ]
     choices = (named, of_streams, [WHOLE] * len(described))
     joints = next(joints for joints in choices if len(set(joints)) <= MAX_JOINTS)
     channels = tuple(
         Channel(name=name, joint=joint, unit=_unit(channel.unit))
-        for name, joint, (_, channel) in zip(_different(labels), joints, described, strict=True)
+        for name, joint, (_, channel) in zip(different_names(labels), joints, described, strict=True)
     )
     title = _printable(", ".join(facts.name for facts, _ in streams), 80) or "LSL"
     return ShirtLayout(
@@ -162,32 +161,6 @@ def _numbers(streams: Sequence[tuple[StreamFacts, Sequence[ChannelFacts]]]) -> I
     """Yield the number of each channel in its stream, from 1."""
     for _, channels in streams:
         yield from range(1, len(channels) + 1)
-
-
-def _joint_in(name: str) -> str:
-    match = _OF_JOINT.fullmatch(name)
-    return match["joint"] if match else name
-
-
-def _name(text: str) -> str:
-    """Return a text as a name of letters and digits without accents; empty when nothing is left of it."""
-    plain = unicodedata.normalize("NFKD", text).encode("ascii", "ignore").decode()
-    return re.sub(r"[^A-Za-z0-9_.-]+", "_", plain)[:LONGEST_NAME].strip("_.-")
-
-
-def _different(names: Iterable[str]) -> Iterator[str]:
-    """Yield names, with a number behind each that was there before."""
-    taken = set[str]()
-    for name in names:
-        free = (free for free in _with_numbers(name) if free not in taken)
-        taken.add(found := next(free))
-        yield found
-
-
-def _with_numbers(name: str) -> Iterator[str]:
-    yield name
-    for number in range(2, 2 * MAX_CHANNELS):
-        yield f"{name}_{number}"
 
 
 def _unit(text: str) -> str | None:

@@ -3,6 +3,8 @@
 import math
 from typing import Annotated, Literal
 
+from pydantic import Field
+
 from app.clock import Clock
 from app.hardware.base import HardwareError
 from app.hardware.shirt.kind import FieldTexts, ShirtConfig, ShirtKind, SignalFile, Trust, page_texts
@@ -26,6 +28,11 @@ class ReplayConfig(ShirtConfig):
     kind: Literal["replay"]
     file: SignalFile
     loop: Annotated[bool, FieldTexts(Text("shirtdev-replay-loop"))] = True
+    layout: Annotated[
+        ShirtLayout | None,
+        Field(json_schema_extra={"format": "layout"}),
+        FieldTexts(Text("shirtdev-layout"), Text("shirtdev-replay-layout-hint")),
+    ] = None  # None: the layout that the file has
 
 
 class ReplayedShirt:
@@ -57,7 +64,7 @@ class ReplayedShirt:
         Raises
         ------
         HardwareError
-            When the file is missing, cannot be read, or does not name the joint of each channel.
+            When the file is missing, cannot be read, or, without a layout, does not name the joint of each channel.
         """
         self._player = FramePlayer(self._read(), self._config.loop)
         self.lost = self._next_seq = 0
@@ -110,7 +117,7 @@ class ReplayedShirt:
     def _read(self) -> FrameFile:
         if self._file is None:
             try:
-                self._file = read_frames(self._config.file)
+                self._file = read_frames(self._config.file, layout=self._config.layout)
             except OSError as error:
                 raise HardwareError(
                     Text("shirtdev-replay-failed", file=self._config.file, why=error.strerror or "")

@@ -14,7 +14,7 @@ from app.hardware.shirt.kind import LayoutFile, ShirtConfig, ShirtKey, ShirtKind
 from app.hardware.shirt.standard import standard_layout
 from app.hardware.shirt.udp import UdpShirt
 
-NOTHING: dict[str, Any] = {"now": None, "layout": None, "files": [], "keys": [], "found": []}
+NOTHING: dict[str, Any] = {"now": None, "layout": None, "files": [], "keys": [], "found": [], "layouts": []}
 FILES = [
     {"name": "knit.csv", "kind": "signals", "size": 2_000},
     {"name": "body.csv", "kind": "body", "size": 2_000},
@@ -111,6 +111,22 @@ def test_a_device_that_describes_its_channels_needs_no_layout_and_keeps_one_that
     page = drawn(lsl, {"layout": layout, "now": now.model_dump(mode="json")})
     assert lsl.config.model_validate(page["before"]) == now
     assert page["in_use"] == "LSL streams"
+
+
+def test_a_layout_that_was_saved_is_chosen_by_its_name(drawn: Callable[..., Any]) -> None:
+    udp, standard = SHIRTS["udp"], standard_layout()
+    saved = [small_layout().model_dump(mode="json")]
+    around = {"layout": standard.model_dump(mode="json"), "layouts": saved}
+    page = drawn(udp, around, **{"Saved layout": "small"})
+    shown = {field["label"]: field for field in page["shown"]}
+    assert shown["Saved layout"]["options"] == ["As it is now", "small"]
+    assert udp.config.model_validate(page["before"]).layout == standard
+    assert udp.config.model_validate(page["after"]).layout == small_layout()
+    replay = SHIRTS["replay"]
+    files = {"files": [{"name": "walk.csv", "kind": "signals", "size": 2_000}]}
+    played = drawn(replay, around | files, **{"Saved layout": "small"})
+    assert replay.config.model_validate(played["before"]) == replay.config(kind="replay", file="walk.csv")
+    assert replay.config.model_validate(played["after"]).layout == small_layout()
 
 
 def test_two_sensors_of_the_simulated_shirt_can_be_dead(drawn: Callable[..., Any]) -> None:

@@ -22,6 +22,7 @@ export const PAGES = {
   drive: { icon: "drive", ofSession: true },
   review: { icon: "review", forReviewers: true },
   settings: { icon: "settings", forReviewers: true },
+  layouts: { below: "shirt" },
   attention: { below: "review" },
   session: {},
   adapt: { ofSession: true },

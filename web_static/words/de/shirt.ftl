@@ -94,6 +94,8 @@ source-no-file = Eine Datei dieser Art gibt es hier noch nicht. Fügen Sie unten
 source-host = Empfangen auf
 source-port = Port
 source-layout-wrong = { $file }: Dies ist kein JSON-Dokument. Wählen Sie ein Shirt-Layout.
+source-layout-saved = Gespeichertes Layout
+source-layout-kept = Wie jetzt
 source-key-none = Keiner
 # No sensor.
 source-sensor-none = Keiner

@@ -94,6 +94,8 @@ source-no-file = No file of this kind is here yet: add one below.
 source-host = Listen on
 source-port = Port
 source-layout-wrong = { $file }: this is not a JSON document; choose a shirt layout.
+source-layout-saved = Saved layout
+source-layout-kept = As it is now
 source-key-none = None
 # No sensor.
 source-sensor-none = None

@@ -98,6 +98,8 @@ source-no-file = Todavía no hay ningún archivo de este tipo: añada uno abajo.
 source-host = Escuchar en
 source-port = Puerto
 source-layout-wrong = { $file }: no es un documento JSON; elija la disposición de una camiseta.
+source-layout-saved = Disposición guardada
+source-layout-kept = La que hay ahora
 source-key-none = Ninguna
 # No sensor.
 source-sensor-none = Ninguno

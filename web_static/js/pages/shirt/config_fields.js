@@ -10,6 +10,7 @@
  * @property {ReadonlySignal<ShirtLayout | null>} layout of the shirt in use
  * @property {ReadonlySignal<FileView[]>} files @property {ReadonlySignal<string[]>} keys names of the keys of paired shirts
  * @property {ReadonlySignal<string[]>} found names of the sensors that the shirt in use has found
+ * @property {ReadonlySignal<ShirtLayout[]>} layouts those that were saved
  * @typedef {{element: VNode<any> | null, isNarrow?: boolean, read: () => unknown}} FormField narrow ones stand side by side
  * @typedef {(schema: FieldSchema, value: any, around: Surroundings) => FormField} Maker makes a field that shows `value`
  */
@@ -198,19 +199,34 @@ function tracker({ title = "", description }, value, { found }) {
 }
 
 /**
- * A layout out of a file. Without one: of a kind whose device describes its channels, what the configuration in use has;
- * of others the layout in use, and without that the kind's own. @type {Maker}
+ * A layout out of a file, or one that was saved. Without one: of a kind whose device describes its channels, what the
+ * configuration in use has; of others the layout in use, and without that the kind's own. @type {Maker}
  */
-function layoutFile(schema, value, { layout }) {
+function layoutFile(schema, value, { layout, layouts }) {
   const { title = "", description } = schema;
   /** @type {File | undefined} */
   let file;
+  let name = ""; // of a layout that was saved
   const onChange = (/** @type {Event} */ { currentTarget }) =>
     void (file = /** @type {HTMLInputElement} */ (currentTarget).files?.[0]);
+  const onChoose = (/** @type {string} */ chosen) => void (name = chosen);
+  const Saved = () => {
+    const names = layouts.value.map((one) => one.name);
+    if (!names.length) return null;
+    const options = [
+      { value: "", label: t("source-layout-kept") },
+      ...names.map((one) => ({ value: one, label: one })),
+    ];
+    return h(Field, { label: t("source-layout-saved") }, h(Selection, { options, chosen: name, onChange: onChoose }));
+  };
   const input = h("input", { type: "file", accept: ".json,application/json", onChange });
+  const saved = () => layouts.peek().find((one) => one.name === name);
   const kept = () => (isOptional(schema) ? (value ?? null) : (layout.peek() ?? undefined));
-  const read = async () => (file ? readDocument(file) : kept());
-  return { element: h(Field, { label: title, hint: description }, input), read };
+  const read = async () => (file ? readDocument(file) : (saved() ?? kept()));
+  return {
+    element: h("div", { class: "stack" }, h(Saved, {}), h(Field, { label: title, hint: description }, input)),
+    read,
+  };
 }
 
 /** A line with a control. @param {string} title @param {VNode<any>} control */

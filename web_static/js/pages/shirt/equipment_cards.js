@@ -32,6 +32,22 @@ export function SourceCard({ store }) {
   );
 }
 
+/** Which channels the shirt has, and the way to the page that says where they are. @param {{store: ShirtStore}} card */
+export function LayoutCard({ store }) {
+  const { layout } = store.equipment.value;
+  return h(
+    "section",
+    { class: "card", "data-card": "layout" },
+    h("h2", {}, t("layouts-card")),
+    h(
+      "p",
+      {},
+      layout ? t("layouts-card-now", { name: layout.name, count: layout.channels.length }) : t("layouts-card-none"),
+    ),
+    h("a", { class: "btn small", href: "#/layouts" }, t("layouts-card-go")),
+  );
+}
+
 /** @param {{store: ShirtStore}} card */
 export function BodyCard({ store }) {
   const { app, equipment } = store;

@@ -6,7 +6,7 @@
  */
 import { stopCamera } from "../../camera/camera.js";
 import { CameraCard } from "../../camera/camera_card.js";
-import { BodyCard, HeadCard, SourceCard } from "./equipment_cards.js";
+import { BodyCard, HeadCard, LayoutCard, SourceCard } from "./equipment_cards.js";
 import { drawFoot, drawPage, Fragment, h, useLayoutEffect } from "../../preact.js";
 import { jointStrips } from "../../charts/joint_strips.js";
 import { jointWithin } from "../../widgets/joint_words.js";
@@ -107,6 +107,7 @@ function Cards({ store }) {
       }),
     kind === "camera" && h(CameraCard, { key: "camera" }),
     h(SourceCard, { key: "source", store }),
+    h(LayoutCard, { key: "layout", store }),
     kind === "simulator" && h(BodyCard, { key: "body", store }),
     h(HeadCard, { key: "head", store }),
     h(store.ReplacedList, { key: "replaced" }),

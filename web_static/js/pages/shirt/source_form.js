@@ -1,5 +1,6 @@
 /**
  * Where the shirt's signals come from: the form, and the configuration that it makes.
+ * @import { ShirtLayout } from "types/api"
  * @import { Body } from "types/requests"
  * @import { ShirtStore } from "./store.js"
  * @import { ShirtConfig, ShirtKind } from "types/documents"
@@ -21,7 +22,15 @@ export function sourceWords(shirt, shirts) {
 export function SourceForm({ store: { app, kinds, equipment }, onUse }) {
   const first = useMemo(() => equipment.peek().shirt, []);
   const kind = useSignal(first?.kind ?? "");
+  const layouts = useSignal(/** @type {ShirtLayout[]} */ ([]));
   const button = useRef(/** @type {HTMLButtonElement | null} */ (null));
+  useLayoutEffect(() => {
+    if (app.me?.role === "reviewer") return; // who only looks sees no layouts
+    app.api.get("/layouts").then(
+      ({ own, bundled }) => void (layouts.value = [...own, ...bundled].map((one) => one.layout)),
+      () => null, // a file can be brought all the same
+    );
+  }, []);
   const parts = useMemo(() => {
     const chosen = kinds.find((one) => one.kind === kind.value);
     if (!chosen) return null;
@@ -32,6 +41,7 @@ export function SourceForm({ store: { app, kinds, equipment }, onUse }) {
       files: computed(() => equipment.value.files),
       keys: computed(() => equipment.value.shirt_keys),
       found: computed(() => equipment.value.status.found),
+      layouts,
     });
   }, [kind.value]);
   useLayoutEffect(() => {

@@ -22,6 +22,7 @@ shirtdev-replay-title = Wiedergabe einer Datei
 shirtdev-replay-about = Früher aufgezeichnete Signale, abgespielt, als kämen sie jetzt.
 shirtdev-replay-in-use = Wiedergabe von { $file }
 shirtdev-replay-loop = Am Ende von vorn beginnen
+shirtdev-replay-layout-hint = Eine JSON-Datei, die die Spalten benennt, nach ihren Namen oder in ihrer Reihenfolge. Ohne Datei sagen die Spalten ihr Gelenk, etwa right_elbow_1.
 shirtdev-serial-title = Ein Shirt am Kabel
 shirtdev-serial-about = Eine Platine, etwa ein Arduino, die ihre Sensoren über USB oder eine andere serielle Schnittstelle sendet.
 shirtdev-serial-in-use = Shirt am Kabel an { $device }

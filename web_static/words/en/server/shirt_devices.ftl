@@ -22,6 +22,7 @@ shirtdev-replay-title = Replay of a file
 shirtdev-replay-about = Signals that were recorded before, played as if they came now.
 shirtdev-replay-in-use = Replay of { $file }
 shirtdev-replay-loop = Begin again at the end
+shirtdev-replay-layout-hint = A JSON file that names the columns, by their names or in their order. Without one, the columns say their joints, such as right_elbow_1.
 shirtdev-serial-title = A shirt on a cable
 shirtdev-serial-about = A board, such as an Arduino, that sends its sensors over USB or another serial line.
 shirtdev-serial-in-use = Shirt on the cable at { $device }

@@ -22,6 +22,7 @@ shirtdev-replay-title = Reproducción de un archivo
 shirtdev-replay-about = Señales grabadas antes, que se reproducen como si llegaran ahora.
 shirtdev-replay-in-use = Reproducción de { $file }
 shirtdev-replay-loop = Empezar de nuevo al final
+shirtdev-replay-layout-hint = Un archivo JSON que nombra las columnas, por sus nombres o en su orden. Sin él, las columnas indican su articulación, como right_elbow_1.
 shirtdev-serial-title = Una camiseta con cable
 shirtdev-serial-about = Una placa, como un Arduino, que envía sus sensores por USB o por otra línea serie.
 shirtdev-serial-in-use = Camiseta con cable en { $device }
