@@ -5,7 +5,7 @@ from dataclasses import dataclass
 from enum import Enum
 from typing import Annotated, Any, Generic, TypeVar, get_args
 
-from pydantic import ConfigDict, Field, GetJsonSchemaHandler
+from pydantic import AfterValidator, ConfigDict, Field, GetJsonSchemaHandler
 from pydantic.config import JsonDict
 from pydantic_core import CoreSchema
 
@@ -82,8 +82,10 @@ ShirtKey = Annotated[
     FieldTexts(Text("shirtdev-key"), Text("shirtdev-key-hint")),
 ]
 """The key file of a paired shirt; None: frames are not signed."""
+OwnLayout = Annotated[ShirtLayout, AfterValidator(lambda layout: layout.without_liveness)]
+"""A layout that people bring; whatever it says, the driver watches over no sensor (safety S5)."""
 LayoutFile = Annotated[
-    ShirtLayout,
+    OwnLayout,
     Field(json_schema_extra={"format": "layout"}),
     FieldTexts(Text("shirtdev-layout"), Text("shirtdev-layout-hint")),
 ]

@@ -10,7 +10,7 @@ from pydantic import Field
 
 from app.clock import Clock
 from app.hardware.base import HardwareError
-from app.hardware.shirt.kind import FieldTexts, ShirtConfig, ShirtKind, Trust, page_texts
+from app.hardware.shirt.kind import FieldTexts, OwnLayout, ShirtConfig, ShirtKind, Trust, page_texts
 from app.hardware.shirt.lsl_streams import (
     CRITERIA,
     StreamFacts,
@@ -59,7 +59,7 @@ class LslConfig(ShirtConfig):
         FieldTexts(Text("shirtdev-rate"), Text("shirtdev-lsl-rate-hint")),
     ] = 50.0
     layout: Annotated[
-        ShirtLayout | None,
+        OwnLayout | None,
         Field(json_schema_extra={"format": "layout"}),
         FieldTexts(Text("shirtdev-layout"), Text("shirtdev-lsl-layout-hint")),
     ] = None  # None: the layout that the streams describe

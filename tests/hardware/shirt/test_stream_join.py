@@ -12,13 +12,13 @@ from app.hardware.shirt.stream_join import (
     LONGEST_LAG,
     MOST_WAITING,
     PATIENCE,
-    STALE,
     EvenTimes,
     GridRows,
     LedRows,
     StreamSample,
     StreamSamples,
 )
+from app.messages import FRESH_PERIODS
 
 PERIOD = 0.01  # s
 
@@ -145,7 +145,7 @@ def test_a_row_waits_no_longer_than_its_patience_and_a_silent_stream_is_nan_afte
     found = all_rows(rows, PERIOD + PATIENCE) + all_rows(rows, 1.0)
     assert [row.values[0] for row in found] == [1, 2, 3, 4, 5, 6, 7]
     silent = [bool(np.isnan(row.values[1])) for row in found]
-    assert silent == [False] * int(STALE) + [True] * 4
+    assert silent == [False] * int(FRESH_PERIODS) + [True] * 4
     put(lead, 8 * PERIOD, 8)
     assert rows.next(8 * PERIOD) is not None, "nobody waits for a stream that is silent"
     put(other, 9 * PERIOD, 59)
@@ -260,4 +260,4 @@ def test_rows_of_a_grid_are_even_in_order_and_hold_only_samples_that_had_come(ar
         now += step
     assert all(later.seq > earlier.seq for earlier, later in pairwise(found))
     for row in found:
-        assert row.t - STALE * 0.02 - LONGEST_LAG <= row.values[0] <= row.t + 1e-5
+        assert row.t - FRESH_PERIODS * 0.02 - LONGEST_LAG <= row.values[0] <= row.t + 1e-5
