@@ -10,8 +10,9 @@ from pydantic.config import JsonDict
 from pydantic_core import CoreSchema
 
 from app.clock import Clock
-from app.hardware.addresses import FilePlace
+from app.hardware.addresses import Cable, FilePlace
 from app.hardware.base import Shirt
+from app.hardware.cables import is_cable
 from app.layout import ShirtLayout
 from app.quantities import Document, Hertz
 from app.texts import Text
@@ -19,12 +20,13 @@ from app.texts import Text
 NOBODY_WEARS_IT = Text("shirtdev-nobody-wears")
 NOBODY_PROVES_IT = Text("shirtdev-nobody-proves")
 NO_KEY = Text("shirtdev-no-key")
+NO_CABLE = Text("shirtdev-no-cable")
 
 
 class Trust(Enum):
     """Whether a kind of shirt may arm a real chair (safety S29)."""
 
-    WIRED = "yes: nobody but the shirt is on the line"
+    WIRED = "where its line is a cable: nobody but the shirt is on it"
     WITH_KEY = "only where a key is paired"
     NEVER = "no: nobody wears it, or nothing proves who sends"
 
@@ -37,6 +39,12 @@ class ShirtConfig(Document):
     """
 
     kind: str
+
+
+class WiredConfig(ShirtConfig):
+    """The configuration of a shirt on a cable: it arms a real chair where its line is one."""
+
+    device: Cable
 
 
 def page_texts(title: Text | str, *, in_use: Text | str, about: Text | None = None) -> ConfigDict:
@@ -126,7 +134,7 @@ class ShirtKind(Generic[Config]):
     def mistrust(self, config: Config) -> Text | None:
         """Return why a shirt of this configuration arms no real chair; None when it may."""
         if self.trust is Trust.WIRED:
-            return None
+            return None if isinstance(config, WiredConfig) and is_cable(config.device) else NO_CABLE
         if self.trust is Trust.WITH_KEY:
             is_paired = any(getattr(config, name) is not None for name in self.fields_of("shirt-key"))
             return None if is_paired else NO_KEY
