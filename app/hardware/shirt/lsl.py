@@ -36,6 +36,7 @@ BUFFER = 10  # s of samples that liblsl keeps while the loop is held up; of a st
 AT_ONCE = 256  # samples that are taken over in one call
 SETTLE_EVERY = 1.0  # s between two readings of the clocks' differences
 LOWEST_RATE, HIGHEST_RATE = 10.0, 2000.0  # Hz
+LARGEST_STAMP = 1e12  # s: 30,000 years; a time stamp beyond it is none
 
 SoughtText = Annotated[Line, Field(min_length=1, max_length=200)] | None
 
@@ -184,7 +185,7 @@ class ReceivedStream:
 
     def _add(self, values: Iterable[float], stamp: float) -> None:
         self._heard = now = self._now()
-        if math.isfinite(stamp):
+        if abs(stamp) <= LARGEST_STAMP:  # false for NaN
             self.samples.add(StreamSample(stamp + self._correction, tuple(values), now))
 
     def _drop(self) -> None:

@@ -109,12 +109,12 @@ class EvenTimes:
         """Take the time `t` (s) of the next sample; return how many periods later it is: more than 1 after a gap."""
         expected = self.t + self._period
         late = t - expected
-        missing = round(late / self._period) if late > 0.0 else 0
+        missing = round(late / self._period) if 0.0 < late < RESTART_AHEAD * self._period else 0
         if -LONGEST_LAG <= late <= 0.0:
             self.t = expected + FALL * late
         else:  # late, the first sample, or one of another clock
             self.t = t
-        return 1 + missing if missing < RESTART_AHEAD else 1
+        return 1 + missing
 
 
 class LedRows:

@@ -153,6 +153,11 @@ def test_a_row_waits_no_longer_than_its_patience_and_a_silent_stream_is_nan_afte
     assert rows.next(9 * PERIOD).values.tolist() == [9, 59]
 
 
+def test_a_time_that_is_far_ahead_is_another_clock_and_no_loss():
+    times = EvenTimes(1e-3)
+    assert [times.step(t) for t in (0.0, 0.002, 1e12, 1e12 + 0.001, 0.003, 1e308)] == [1, 2, 1, 1, 1, 1]
+
+
 def test_a_stream_without_a_rate_is_not_waited_for():
     lead, other = stream(), stream(30.0, is_regular=False)
     rows = LedRows([lead, other], 0)
