@@ -110,7 +110,7 @@ soak: $(VENV)/.installed-test
 # Each driver of a shirt at its full rate against a far end: SENSOR=UDP prints one and writes nothing; SENSOR_TIME in s.
 sensors: $(VENV)/.installed-test
 	PYTHONPATH=.:tests $(BIN)/python -m sensors $(if $(SENSOR_TIME),--seconds $(SENSOR_TIME)) \
-		$(if $(SENSOR),--only $(SENSOR),--out docs/sensors-measured.md)
+		$(if $(SENSOR),--only "$(SENSOR)",--out docs/sensors-measured.md)
 
 long-recording: $(VENV)/.installed-test
 	PYTHONPATH=.:tests $(BIN)/python -m soak.recording

@@ -283,6 +283,7 @@ def run(make, rate, connection, link, folder):
             what, *fields = connection.recv()
             if what == "end":
                 far_end.close()
+                link.close()
                 return
             if what not in {"count", "pause", "resume"}:
                 getattr(far_end, what)(*fields)
