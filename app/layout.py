@@ -53,6 +53,9 @@ class Channel(Document):
     ring: Name | None = Field(default=None, exclude_if=is_missing)
     place: Annotated[int, Field(strict=True, ge=0, lt=MAX_CHANNELS)] | None = Field(default=None, exclude_if=is_missing)
     unit: Unit | None = Field(default=None, exclude_if=is_missing)  # of its values, where the device says it
+    # What shows that the sensor works. None: its value, which always changes a little. "arrival": that it sends; its
+    # value may stay constant, because the driver makes it NaN as soon as nothing arrives (safety S5).
+    liveness: Literal["arrival"] | None = Field(default=None, exclude_if=is_missing)
 
 
 class Joint(Document):
@@ -132,9 +135,22 @@ class ShirtLayout(Document):
         return self.model_copy(update={"channels": channels})
 
     @property
+    def without_liveness(self) -> "ShirtLayout":
+        """The layout of a shirt whose driver watches over no sensor: every value has to change (safety S5)."""
+        if not any(self.may_stay_constant):
+            return self
+        channels = tuple(channel.model_copy(update={"liveness": None}) for channel in self.channels)
+        return self.model_copy(update={"channels": channels})
+
+    @property
     def channel_names(self) -> list[str]:
         """Names in the order of a frame's values."""
         return [channel.name for channel in self.channels]
+
+    @property
+    def may_stay_constant(self) -> list[bool]:
+        """Whether the value of each channel may stay constant, in the order of a frame's values (safety S5)."""
+        return [channel.liveness is not None for channel in self.channels]
 
     @property
     def joint_names(self) -> list[str]:

@@ -5940,6 +5940,7 @@ export interface components {
             ring: string | null;
             place: number | null;
             unit: string | null;
+            liveness: "arrival" | null;
         };
         ChannelLine: {
             name: string;
@@ -5987,7 +5988,7 @@ export interface components {
         };
         ComparedTests: {
             /** @enum {string} */
-            source: "worn" | "simulated" | "unknown";
+            source: "worn" | "camera" | "phones" | "slimevr" | "lsl" | "simulated" | "unknown";
             complete: [
                 number,
                 number
@@ -6630,7 +6631,7 @@ export interface components {
         };
         InterfaceTestsView: {
             tests: components["schemas"]["InterfaceTestView"][];
-            source: ("worn" | "simulated" | "unknown") | null;
+            source: ("worn" | "camera" | "phones" | "slimevr" | "lsl" | "simulated" | "unknown") | null;
             course: components["schemas"]["InterfaceCourse"];
         };
         InterfaceVerdicts: {
@@ -6749,7 +6750,7 @@ export interface components {
         };
         LearningView: {
             /** @enum {string} */
-            source: "worn" | "simulated" | "unknown";
+            source: "worn" | "camera" | "phones" | "slimevr" | "lsl" | "simulated" | "unknown";
             others: {
                 [key: string]: number;
             };
@@ -7470,7 +7471,7 @@ export interface components {
             kind: "phones";
             /** @default 50 */
             sample_rate?: number;
-            /** @default false */
+            /** @default true */
             from_neighbour?: boolean;
             /** Format: tracker */
             trunk?: string | null;
@@ -7594,7 +7595,7 @@ export interface components {
         };
         QualityView: {
             /** @enum {string} */
-            source: "worn" | "simulated" | "unknown";
+            source: "worn" | "camera" | "phones" | "slimevr" | "lsl" | "simulated" | "unknown";
             trials: components["schemas"]["QualityRow"][];
             labels: {
                 [key: string]: string;
@@ -7966,7 +7967,7 @@ export interface components {
             kind: "slimevr";
             /** @default 50 */
             sample_rate?: number;
-            /** @default false */
+            /** @default true */
             from_neighbour?: boolean;
             /** Format: tracker */
             trunk?: string | null;
@@ -8013,6 +8014,8 @@ export interface components {
             chair: string;
             simulated: boolean | null;
             description: string;
+            /** @enum {string} */
+            group: "worn" | "camera" | "phones" | "slimevr" | "lsl" | "simulated" | "unknown";
         };
         Speeds: {
             /** @default 0.8 */
@@ -8117,7 +8120,7 @@ export interface components {
             path: string;
             path_title: string;
             /** @enum {string} */
-            source: "worn" | "simulated" | "unknown";
+            source: "worn" | "camera" | "phones" | "slimevr" | "lsl" | "simulated" | "unknown";
             trials: [
                 number,
                 number
@@ -8135,7 +8138,7 @@ export interface components {
             path_name: string;
             path_title: string;
             /** @enum {string} */
-            source: "worn" | "simulated" | "unknown";
+            source: "worn" | "camera" | "phones" | "slimevr" | "lsl" | "simulated" | "unknown";
             trials: {
                 [key: string]: unknown;
             }[];

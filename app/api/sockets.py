@@ -237,7 +237,7 @@ class OpenSockets:
         """Close websockets, each with its code; a page that does not take it ends without it."""
         closing = []
         for websocket, code in codes.items():
-            closing.append(asyncio.create_task(_close(websocket, code)))
+            closing.append(asyncio.create_task(close_in_time(websocket, code)))
             await asyncio.sleep(0)  # a Stop waits for no more than one of them
         await asyncio.gather(*closing)
 
@@ -249,7 +249,8 @@ _COOKIES: Final[Mapping[type, str]] = {
 }
 
 
-async def _close(websocket: WebSocket, code: int) -> None:
+async def close_in_time(websocket: WebSocket, code: int) -> None:
+    """Close a websocket with a code; the connection of a page that does not take it is cut off."""
     try:
         with suppress(RuntimeError, WebSocketDisconnect):  # it is closed already
             await asyncio.wait_for(websocket.close(code), CLOSE_LIMIT)

@@ -57,4 +57,4 @@ Host = Annotated[str, Field(min_length=1, max_length=253), AfterValidator(checke
 FilePlace = Annotated[Line, Field(min_length=1, max_length=4096)]
 SerialLine = Annotated[str, Field(min_length=1, max_length=255), AfterValidator(checked_line)]
 Cable = Annotated[SerialLine, AfterValidator(checked_cable)]
-"""A serial line on which nobody but the device can send (safety S29)."""
+"""A serial line that is no radio link by its name; `app.hardware.cables` says whether it is a cable (safety S29)."""

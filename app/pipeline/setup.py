@@ -348,7 +348,8 @@ class Setup:
         """Return in a sentence why parameters cannot decode the frames of the shirt; None when they can."""
         if self.shirt is None:
             return None
-        if self.shirt.layout.channel_names != parameters.profile.layout.channel_names:
+        shirt, calibrated = self.shirt.layout, parameters.profile.layout
+        if shirt.channel_names != calibrated.channel_names or shirt.may_stay_constant != calibrated.may_stay_constant:
             return Text("drives-other-sensors")
         cutoff, rate = parameters.cutoff, self.sample_rate
         if rate <= 2.0 * cutoff:  # no filter has a cutoff above half the sample rate

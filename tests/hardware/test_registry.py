@@ -21,7 +21,9 @@ from app.hardware.registry import (
     parse_chair,
     parse_shirt,
 )
-from app.hardware.shirt.kind import NO_KEY, NOBODY_PROVES_IT, NOBODY_WEARS_IT, ShirtKind, Trust
+from app.hardware.shirt import kind as shirt_kind
+from app.hardware.shirt.body_parts import layout_of
+from app.hardware.shirt.kind import NO_CABLE, NO_KEY, NOBODY_PROVES_IT, NOBODY_WEARS_IT, ShirtKind, Trust
 from app.hardware.shirt.replay import ReplayConfig
 from app.hardware.shirt.simulator import SimulatorConfig
 from app.hardware.shirt.udp import UdpConfig, UdpShirt
@@ -54,8 +56,9 @@ def test_each_reason_for_having_no_driver_has_its_own_sentence(tmp_path, monkeyp
     assert all("\n" not in sentence for sentence in sentences)
 
 
-def test_every_source_of_frames_declares_whether_it_may_arm_a_real_chair():
+def test_every_source_of_frames_declares_whether_it_may_arm_a_real_chair(monkeypatch):
     """Safety S29: whoever adds a kind of shirt, or changes its trust, changes this table."""
+    monkeypatch.setattr(shirt_kind, "is_cable", lambda line: line == "/dev/ttyACM0")
     assert {kind.name: (kind.trust, kind.simulated) for kind in SHIRTS.values()} == {
         "simulator": (Trust.NEVER, True),
         "camera": (Trust.NEVER, False),
@@ -77,6 +80,7 @@ def test_every_source_of_frames_declares_whether_it_may_arm_a_real_chair():
         ({"kind": "bluetooth"}, NOBODY_PROVES_IT),
         ({"kind": "serial"}, None),
         ({"kind": "brainflow", "serial_port": "/dev/ttyUSB0"}, NOBODY_PROVES_IT),  # the dongle of a radio, mostly
+        ({"kind": "serial", "device": "/dev/pts/3"}, NO_CABLE),
         ({"kind": "lsl"}, NOBODY_PROVES_IT),
         (udp, NO_KEY),
         ({**udp, "key_file": "shirt-1.key"}, None),
@@ -86,10 +90,20 @@ def test_every_source_of_frames_declares_whether_it_may_arm_a_real_chair():
     assert "bodydrive shirt pair" in str(NO_KEY)
 
 
+@pytest.mark.parametrize("kind", ["udp", "serial", "lsl"])
+def test_no_layout_that_people_bring_says_that_a_sensor_may_stay_constant(kind):
+    """Safety S5: only a driver that misses its sensors may say so."""
+    layout = layout_of("trackers", ["trunk"])
+    assert all(layout.may_stay_constant)
+    config = parse_shirt({"kind": kind, "layout": layout.model_dump(mode="json")})
+    assert config.layout.may_stay_constant == [False] * 3
+    assert config.layout.channel_names == layout.channel_names
+
+
 def test_a_source_that_declares_nothing_arms_no_real_chair():
     kind = ShirtKind(UdpConfig, UdpShirt)
     assert kind.mistrust(UdpConfig(kind="udp", key_file="shirt-1.key")) == NOBODY_PROVES_IT
-    assert ShirtKind(UdpConfig, UdpShirt, Trust.WIRED).mistrust(UdpConfig(kind="udp")) is None
+    assert ShirtKind(UdpConfig, UdpShirt, Trust.WIRED).mistrust(UdpConfig(kind="udp")) == NO_CABLE
 
 
 def test_a_missing_file_is_a_sentence_of_its_own(tmp_path):

@@ -243,6 +243,15 @@ def test_the_camera_takes_samples_which_any_other_shirt_refuses(control):
     np.testing.assert_allclose(frame.values, np.linspace(0.0, 1.0, CHANNELS), atol=1e-6)
 
 
+def test_controls_of_sensors_that_may_stay_constant_drive_no_shirt_whose_sensors_have_to_tremble(control):
+    """Safety S5: with them, a broken line of that shirt would not be found."""
+    profile = control.parameters.profile
+    channels = tuple(channel.model_copy(update={"liveness": "arrival"}) for channel in profile.layout.channels)
+    layout = profile.layout.model_copy(update={"channels": channels})
+    others = control.parameters.model_copy(update={"profile": profile.model_copy(update={"layout": layout})})
+    assert "a shirt with other sensors" in control.refused("parameters", parameters=others.model_dump(mode="json"))
+
+
 def network_shirt(control, **more):
     """Choose a shirt over the network, and return the control's device that sends to it."""
     layout = control.parameters.profile.layout

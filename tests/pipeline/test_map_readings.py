@@ -52,6 +52,13 @@ def prior_parameters(joints=(0, 1, 2, 3), guided=(), **changes):
     return DriveParameters.model_validate(document)
 
 
+@pytest.mark.parametrize("sample_rate", [10.0, 33.3, 1000.0])
+def test_a_gap_counts_in_whole_periods_up_to_a_second_however_long_it_is(sample_rate):
+    assert [periods_between(n / sample_rate, sample_rate) for n in (0.2, 1.4, 1.6, 7.0)] == [1.0, 1.0, 2.0, 7.0]
+    for gap in (1.1, 5.0, 1e12, 1e308):
+        assert periods_between(gap, sample_rate) == pytest.approx(sample_rate)
+
+
 def stream(parameters, device, values):
     """Return score, rate and activation (n, n_gestures) frame by frame."""
     sample_rate = parameters.profile.sample_rate

@@ -30,13 +30,15 @@ class PhonePage {
   #socket = null;
   /** @type {Sensor | null} */
   #sensor = null;
-  #page = Math.floor(Math.random() * LARGEST_PAGE);
+  #page = newPage();
   #seq = 0;
-  #sentAt = -Infinity;
+  #sentAt = -Infinity; // ms of performance.now
+  #request = 0; // of the next picture
 
   async start() {
     document.title = t("phone-title");
     window.addEventListener("hashchange", () => this.enter());
+    document.addEventListener("visibilitychange", () => this.#resume());
     await this.enter();
     document.body.replaceChildren(this.#root);
     render(h(Page, { phone: this }), this.#root);
@@ -114,17 +116,28 @@ class PhonePage {
     }
   }
 
-  /** Send the newest angles with each picture of the page: a page that is not in view sends nothing. */
+  /** Send with each picture of the page: a page that is not in view sends nothing. */
   #next() {
+    cancelAnimationFrame(this.#request);
     if (!this.#socket) return;
-    requestAnimationFrame((now) => {
-      const angles = this.#sensor?.angles;
-      if (angles && this.#told.peek()?.wanted && now - this.#sentAt >= LEAST_PAUSE) {
-        this.#sentAt = now;
-        this.#socket?.send(sampleOf(this.#page, this.#seq++, performance.now() / MILLISECONDS, angles));
-      }
+    this.#request = requestAnimationFrame(() => {
+      this.#sendNewest(performance.now());
       this.#next();
     });
+  }
+
+  /** Send the newest angles, if the sensor has told something since they were sent. @param {number} now ms */
+  #sendNewest(now) {
+    const sensor = this.#sensor;
+    if (!sensor?.angles || sensor.toldAt <= this.#sentAt) return;
+    if (!this.#told.peek()?.wanted || now - this.#sentAt < LEAST_PAUSE) return;
+    this.#sentAt = now;
+    this.#socket?.send(sampleOf(this.#page, this.#seq++, now / MILLISECONDS, sensor.angles));
+  }
+
+  /** Count as another page once this one is in view again: meanwhile the sensor was off, and may have another north. */
+  #resume() {
+    if (document.visibilityState === "visible") this.#page = newPage();
   }
 
   #look() {
@@ -140,6 +153,11 @@ class PhonePage {
     this.#socket = null;
     this.#state.value = end;
   }
+}
+
+/** The number of a page: another one with each start of its sensor. */
+function newPage() {
+  return Math.floor(Math.random() * LARGEST_PAGE);
 }
 
 /** @param {{phone: PhonePage}} page */

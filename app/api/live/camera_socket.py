@@ -6,20 +6,14 @@ from typing import Annotated
 from fastapi import APIRouter, Depends, WebSocket
 
 from app.api.deps import ControlPart, EquipmentPart, SocketsPart
+from app.api.live.page_samples import receive_samples
 from app.api.parts import part
-from app.api.sockets import OpenSockets
-from app.clock import monotonic
-from app.messages import LONGEST_SAMPLE
-from app.session.control_link import ControlLink
-from app.session.equipment.shirt import Equipment
 
 router = APIRouter()
 
 FLOOD = 120  # messages within a second; our page sends at most 36
 CAMERA_SILENCE = 2.0  # s without a message, after which another page may be the camera: an armed chair has stopped
-NOT_A_SAMPLE = 1003  # close codes
-TOO_MANY = 1008
-IN_USE = 4409  # another page is the camera
+IN_USE = 4409  # close codes: another page is the camera
 UNWANTED = 4410  # the shirt in use is no camera
 
 
@@ -58,48 +52,32 @@ async def camera_socket(
     equipment: EquipmentPart,
     active: Annotated[ActiveCamera, Depends(part(ActiveCamera))],
 ) -> None:
-    """Receive the samples of one page, of a person who drives or of the patient's screen."""
+    """Receive the samples of one page, of a person who drives or of the patient's screen.
+
+    What a page sends that may be no sensor, such as one that is locked, counts for nothing.
+    """
+
+    def take(sample: bytes, t: float) -> int | None:
+        if not equipment.is_camera:
+            return UNWANTED
+        if not sockets.may_be_sensor(websocket):
+            return None
+        number = active.number(websocket, t)
+        if number is None:
+            return IN_USE
+        control.add_sample(number, sample, t)
+        return None
+
     viewer = await sockets.admit_viewer(websocket)
     if viewer is None:
         return
     await websocket.accept()
     async with sockets.guarded(websocket, viewer):
         try:
-            code = await _receive(websocket, sockets, control, equipment, active)
+            code = await receive_samples(websocket, FLOOD, take)
             if code is not None:
                 await websocket.close(code)
         except RuntimeError:
             pass  # closed by us
         finally:
             active.forget(websocket)
-
-
-async def _receive(
-    websocket: WebSocket, sockets: OpenSockets, control: ControlLink, equipment: Equipment, active: ActiveCamera
-) -> int | None:
-    """Pass on samples until the page leaves; return the code with which its socket is closed before, if it is.
-
-    What a page sends that may be no sensor, such as one that is locked, counts for nothing.
-    """
-    count, since = 0, monotonic()
-    while True:
-        message = await websocket.receive()
-        if message["type"] == "websocket.disconnect":
-            return None
-        now = monotonic()
-        if now - since > 1.0:
-            count, since = 0, now
-        count += 1
-        sample = message.get("bytes")
-        if count > FLOOD:
-            return TOO_MANY
-        if not sample or len(sample) > LONGEST_SAMPLE:
-            return NOT_A_SAMPLE
-        if not equipment.is_camera:
-            return UNWANTED
-        if not sockets.may_be_sensor(websocket):
-            continue
-        number = active.number(websocket, now)
-        if number is None:
-            return IN_USE
-        control.add_sample(number, sample, now)

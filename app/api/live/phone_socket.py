@@ -7,12 +7,11 @@ from typing import Annotated
 from fastapi import APIRouter, Depends, WebSocket
 
 from app.api.deps import ControlPart, EquipmentPart, LivePart, SocketsPart
+from app.api.live.page_samples import receive_samples
 from app.api.parts import part
-from app.clock import monotonic
-from app.messages import LONGEST_SAMPLE
+from app.api.sockets import close_in_time
 from app.news import News
 from app.quantities import Document
-from app.session.control_link import ControlLink
 from app.session.equipment.shirt import Equipment
 from app.texts import Text
 
@@ -20,9 +19,7 @@ router = APIRouter()
 
 SAY_EVERY = 0.5  # s: the page says that it is lost when it hears nothing for longer
 FLOOD = 200  # messages within a second; our page sends at most 60
-NOT_A_SAMPLE = 1003  # close codes
-TOO_MANY = 1008
-ELSEWHERE = 4409  # the phone's page was opened once more
+ELSEWHERE = 4409  # close code: the phone's page was opened once more
 KIND = "phones"
 
 
@@ -66,20 +63,26 @@ async def phone_socket(
     if phone is None:
         return
     await websocket.accept()
-    before = active.take(phone.number, websocket)
+    number = phone.number
+
+    def take(sample: bytes, t: float) -> None:
+        if equipment.kind == KIND:
+            control.add_sample(number, sample, t)
+
+    before = active.take(number, websocket)
     if before is not None:
-        await _close(before, ELSEWHERE)
+        await close_in_time(before, ELSEWHERE)
     async with sockets.guarded(websocket, phone):
         live.notify(News(what="phones"))
-        telling = asyncio.create_task(_tell(websocket, lambda: _message(phone.number, equipment)))
+        telling = asyncio.create_task(_tell(websocket, lambda: _message(number, equipment)))
         try:
-            code = await _receive(websocket, phone.number, control, equipment)
+            code = await receive_samples(websocket, FLOOD, take)
             if code is not None:
                 await websocket.close(code)
         except RuntimeError:
             pass  # closed by us
         finally:
-            active.forget(phone.number, websocket)
+            active.forget(number, websocket)
             telling.cancel()
             await asyncio.gather(telling, return_exceptions=True)
     live.notify(News(what="phones"))
@@ -94,30 +97,3 @@ async def _tell(websocket: WebSocket, message: Callable[[], PhoneMessage]) -> No
     while True:
         await websocket.send_text(message().model_dump_json())
         await asyncio.sleep(SAY_EVERY)
-
-
-async def _receive(websocket: WebSocket, number: int, control: ControlLink, equipment: Equipment) -> int | None:
-    """Pass on samples until the page leaves; return the code with which its socket is closed before, if it is."""
-    count, since = 0, monotonic()
-    while True:
-        message = await websocket.receive()
-        if message["type"] == "websocket.disconnect":
-            return None
-        now = monotonic()
-        if now - since > 1.0:
-            count, since = 0, now
-        count += 1
-        sample = message.get("bytes")
-        if count > FLOOD:
-            return TOO_MANY
-        if not sample or len(sample) > LONGEST_SAMPLE:
-            return NOT_A_SAMPLE
-        if equipment.kind == KIND:
-            control.add_sample(number, sample, now)
-
-
-async def _close(websocket: WebSocket, code: int) -> None:
-    try:
-        await websocket.close(code)
-    except RuntimeError:
-        return  # it has ended meanwhile

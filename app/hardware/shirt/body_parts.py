@@ -74,18 +74,29 @@ def channel_names(part: str, bends: Collection[str]) -> list[str]:
 def layout_of(name: str, parts: Iterable[str], bends: Collection[str] = ()) -> ShirtLayout:
     """Return the layout of sensors on `parts`, in the order of PARTS; those in `bends` are strain sensors.
 
-    At least one of the parts has a joint.
+    At least one of the parts has a joint. Orientations may stay constant: trackers and browsers leave out what has not
+    changed, so that a sensor shows by what it sends that it works.
     """
     worn = [part for part in PARTS if part in parts and PARTS[part].joint is not None]
     channels = []
     for part in worn:
         joint, _, position = PARTS[part]
         names = channel_names(part, bends)
+        is_turned = part not in bends
         for number, channel in enumerate(names):
             beside = BESIDE * (number - (len(names) - 1) / 2)
             place = None if position is None else (position[0] + beside, position[1])
             side: Literal["front"] | None = None if position is None else "front"
-            channels.append(Channel(name=channel, joint=str(joint), position=place, side=side))
+            channels.append(
+                Channel(
+                    name=channel,
+                    joint=str(joint),
+                    position=place,
+                    side=side,
+                    unit="rad" if is_turned else None,
+                    liveness="arrival" if is_turned else None,
+                )
+            )
     joints = [str(PARTS[part].joint) for part in worn]
     return ShirtLayout(
         name=name,

@@ -10,16 +10,14 @@ from pydantic import Field
 
 from app.clock import Clock
 from app.hardware.shirt.kind import FieldTexts, ShirtConfig, ShirtKind, Trust, page_texts
-from app.hardware.shirt.page_clock import PageClock
+from app.hardware.shirt.page_clock import LONGEST_PAGE, TOO_OLD, PageClock
 from app.hardware.shirt.simulator import Pace
 from app.hardware.shirt.standard import bundled_layout
-from app.messages import ALIVE, SensorFrame
+from app.messages import ALIVE, FRESH_PERIODS, SensorFrame
 from app.quantities import Hertz
 from app.texts import Figure, Text, Value
 
 CAMERA_LAYOUT = "camera-upper-body.json"
-FRESH_PERIODS = 3.0  # without a sample, after which every channel is missing
-TOO_OLD = 0.5  # s between a picture and the arrival of its sample: an older one shows a body of the past
 SHORTEST_INTERVAL = 1e-3  # s
 SMOOTHING = 0.1  # weight of the newest interval in the measured rate of pictures
 
@@ -27,7 +25,6 @@ VERSION = 1
 HEADER = Struct("<BBHIdd")
 """Version, 0, channel count, seq (u32), times of picture and sending (s of the page's clock)."""
 LARGEST_VALUE = 10.0  # rad, or widths of the shoulders: an arm is about two of them long
-LONGEST_PAGE = 1e9  # s
 LONGEST_READING = 60.0  # s from a picture to its sample: the first one in a browser may take long
 
 CameraRate = Annotated[Hertz, Field(ge=10, le=60), FieldTexts(Text("shirtdev-rate"), Text("shirtdev-camera-rate-hint"))]

@@ -5,13 +5,14 @@ from dataclasses import dataclass
 from enum import Enum
 from typing import Annotated, Any, Generic, TypeVar, get_args
 
-from pydantic import ConfigDict, Field, GetJsonSchemaHandler
+from pydantic import AfterValidator, ConfigDict, Field, GetJsonSchemaHandler
 from pydantic.config import JsonDict
 from pydantic_core import CoreSchema
 
 from app.clock import Clock
-from app.hardware.addresses import FilePlace
+from app.hardware.addresses import Cable, FilePlace
 from app.hardware.base import Shirt
+from app.hardware.cables import is_cable
 from app.layout import ShirtLayout
 from app.quantities import Document, Hertz
 from app.texts import Text
@@ -20,12 +21,13 @@ NOBODY_WEARS_IT = Text("shirtdev-nobody-wears")
 NOBODY_PROVES_IT = Text("shirtdev-nobody-proves")
 NO_KEY = Text("shirtdev-no-key")
 LOWEST_RATE, HIGHEST_RATE = 10.0, 2000.0  # Hz
+NO_CABLE = Text("shirtdev-no-cable")
 
 
 class Trust(Enum):
     """Whether a kind of shirt may arm a real chair (safety S29)."""
 
-    WIRED = "yes: nobody but the shirt is on the line"
+    WIRED = "where its line is a cable: nobody but the shirt is on it"
     WITH_KEY = "only where a key is paired"
     NEVER = "no: nobody wears it, or nothing proves who sends"
 
@@ -38,6 +40,12 @@ class ShirtConfig(Document):
     """
 
     kind: str
+
+
+class WiredConfig(ShirtConfig):
+    """The configuration of a shirt on a cable: it arms a real chair where its line is one."""
+
+    device: Cable
 
 
 def page_texts(title: Text | str, *, in_use: Text | str, about: Text | None = None) -> ConfigDict:
@@ -83,8 +91,10 @@ ShirtKey = Annotated[
     FieldTexts(Text("shirtdev-key"), Text("shirtdev-key-hint")),
 ]
 """The key file of a paired shirt; None: frames are not signed."""
+OwnLayout = Annotated[ShirtLayout, AfterValidator(lambda layout: layout.without_liveness)]
+"""A layout that people bring; whatever it says, the driver watches over no sensor (safety S5)."""
 LayoutFile = Annotated[
-    ShirtLayout,
+    OwnLayout,
     Field(json_schema_extra={"format": "layout"}),
     FieldTexts(Text("shirtdev-layout"), Text("shirtdev-layout-hint")),
 ]
@@ -125,7 +135,7 @@ class ShirtKind(Generic[Config]):
     def mistrust(self, config: Config) -> Text | None:
         """Return why a shirt of this configuration arms no real chair; None when it may."""
         if self.trust is Trust.WIRED:
-            return None
+            return None if isinstance(config, WiredConfig) and is_cable(config.device) else NO_CABLE
         if self.trust is Trust.WITH_KEY:
             is_paired = any(getattr(config, name) is not None for name in self.fields_of("shirt-key"))
             return None if is_paired else NO_KEY

@@ -10,7 +10,16 @@ from pydantic import Field
 
 from app.clock import Clock
 from app.hardware.base import HardwareError
-from app.hardware.shirt.kind import HIGHEST_RATE, LOWEST_RATE, FieldTexts, ShirtConfig, ShirtKind, Trust, page_texts
+from app.hardware.shirt.kind import (
+    HIGHEST_RATE,
+    LOWEST_RATE,
+    FieldTexts,
+    OwnLayout,
+    ShirtConfig,
+    ShirtKind,
+    Trust,
+    page_texts,
+)
 from app.hardware.shirt.lsl_streams import (
     CRITERIA,
     StreamFacts,
@@ -35,6 +44,7 @@ SEARCH_AFTER = 2.0  # s of silence of a regular stream, after which it may have 
 BUFFER = 10  # s of samples that liblsl keeps while the loop is held up; of a stream without a rate 1,000 samples
 AT_ONCE = 256  # samples that are taken over in one call
 SETTLE_EVERY = 1.0  # s between two readings of the clocks' differences
+LARGEST_STAMP = 1e12  # s: 30,000 years; a time stamp beyond it is none
 
 SoughtText = Annotated[Line, Field(min_length=1, max_length=200)] | None
 
@@ -58,7 +68,7 @@ class LslConfig(ShirtConfig):
         FieldTexts(Text("shirtdev-rate"), Text("shirtdev-lsl-rate-hint")),
     ] = 50.0
     layout: Annotated[
-        ShirtLayout | None,
+        OwnLayout | None,
         Field(json_schema_extra={"format": "layout"}),
         FieldTexts(Text("shirtdev-layout"), Text("shirtdev-lsl-layout-hint")),
     ] = None  # None: the layout that the streams describe
@@ -183,7 +193,7 @@ class ReceivedStream:
 
     def _add(self, values: Iterable[float], stamp: float) -> None:
         self._heard = now = self._now()
-        if math.isfinite(stamp):
+        if abs(stamp) <= LARGEST_STAMP:  # false for NaN
             self.samples.add(StreamSample(stamp + self._correction, tuple(values), now))
 
     def _drop(self) -> None:

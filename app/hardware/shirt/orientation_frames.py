@@ -19,8 +19,8 @@ from app.hardware.shirt.orientation import (
     nearest_vector,
     product,
 )
+from app.messages import FRESH_PERIODS
 
-FRESH: Final = 3.0  # periods of the frames for which a sample counts: after them its channels are NaN
 REST_TIME: Final = 1.0  # s in which a sensor has to be still before its posture counts as "at rest, arms down"
 REST_ANGLE: Final = math.radians(5)  # by which it may move meanwhile: breathing and a small tremor
 REST_PATIENCE: Final = 10.0  # s after which the newest second counts: somebody with a large tremor is never still
@@ -33,7 +33,7 @@ class OrientationFrames:
     """Keeps the newest samples of the sensors on a body, and makes frames of them.
 
     A sensor's first second of stillness is its posture at rest, from which its rotation vector is measured. Until
-    then, and without a sample of it or of its reference within `FRESH` periods, its channels are NaN.
+    then, and without a sample or a sign of it or of its reference within `FRESH_PERIODS`, its channels are NaN.
     """
 
     def __init__(
@@ -76,6 +76,12 @@ class OrientationFrames:
         self._orientation[i], self._turned_t[i] = orientation, t
         self._first_t[i] = min(self._first_t[i], t)
 
+    def take_sign(self, part: str, t: float) -> None:
+        """Take a sign at `t` (monotonic s) that a sensor works: its orientation has not changed since the last one."""
+        i = self._turned.index(part)
+        if self._turned_t[i] > -math.inf:  # its orientation is known
+            self._turned_t[i] = t
+
     def take_bend(self, part: str, value: float, t: float) -> None:
         """Take a sample of a strain sensor, in its own unit, which came at `t` (monotonic s)."""
         i = self._bent.index(part)
@@ -100,7 +106,7 @@ class OrientationFrames:
 
         To be called once a period: the samples of the last frames show who is still.
         """
-        limit = t - (FRESH + 1e-6) * self._period
+        limit = t - (FRESH_PERIODS + 1e-6) * self._period
         orientation = self._orientation.copy()
         orientation[:-1][self._turned_t < limit] = np.nan
         relative = product(inverse(orientation[self._reference]), orientation[:-1])
@@ -115,8 +121,8 @@ class OrientationFrames:
         return values if np.isfinite(values).any() else None
 
     def silent(self, t: float) -> list[str]:
-        """Return the parts whose sensors have sent nothing within `FRESH` periods before `t` (monotonic s)."""
-        limit = t - FRESH * self._period
+        """Return the parts whose sensors have sent nothing within `FRESH_PERIODS` before `t` (monotonic s)."""
+        limit = t - FRESH_PERIODS * self._period
         turned = zip(self._turned, self._turned_t, strict=True)
         bent = zip(self._bent, self._bent_t, strict=True)
         return [part for part, newest in (*turned, *bent) if newest < limit]

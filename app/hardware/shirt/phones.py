@@ -10,19 +10,16 @@ import numpy as np
 from app.clock import Clock
 from app.hardware.shirt.kind import ShirtKind, Trust, page_texts
 from app.hardware.shirt.orientation import Rotations, exponential, product
-from app.hardware.shirt.page_clock import PageClock
+from app.hardware.shirt.page_clock import LONGEST_PAGE, TOO_OLD, PageClock
 from app.hardware.shirt.placed_sensors import PlacedSensorsConfig, PlacedSensorsShirt
 from app.texts import Figure, Text
 
 MOST_PHONES: Final = 6
-TOO_OLD: Final = 0.5  # s between sending and arrival beyond the quickest message: an older one shows the past
 OFFERED: Final = 2.0  # s of silence after which a phone on no part of the body is offered no more
 VERSION: Final = 1
 MESSAGE: Final = Struct("<BBHIId3f")
 """Version, 0, 0, page (a random number), seq, time of sending (s of the page's clock); alpha, beta, gamma (degrees)."""
-LONGEST_PAGE: Final = 1e9  # s
 LARGEST_ANGLE_DEG: Final = 360.0
-STEP_DEG: Final = 0.1  # to which browsers round the angles
 
 
 class PhoneSample(NamedTuple):
@@ -87,8 +84,8 @@ class _Phone:
 class PhonesShirt(PlacedSensorsShirt):
     """Frames of the newest orientation of each phone; the web process hands on what their pages send.
 
-    Browsers round the angles, so that those of a limb at rest would be constant, as of a broken sensor (safety S5).
-    What was rounded off is drawn at random: each angle is anywhere within half a step of what was sent.
+    Browsers round the angles, so that those of a limb at rest are constant. A page sends only while its sensor tells
+    something, and a phone that sends nothing makes its channels NaN: so a sensor that hangs is found (safety S5).
     """
 
     def __init__(self, config: PhonesConfig, clock: Clock) -> None:
@@ -102,7 +99,6 @@ class PhonesShirt(PlacedSensorsShirt):
         self.late = 0  # samples that show the past
         self._age = 0.0  # s, of the newest sample
         self._phones: dict[int, _Phone] = {}
-        self._rounded_off = np.random.default_rng(1)
 
     @property
     def found(self) -> list[str]:
@@ -139,7 +135,7 @@ class PhonesShirt(PlacedSensorsShirt):
         if self._age > TOO_OLD:
             self.late += 1
         elif part is not None:
-            self._frames.take_orientation(part, self._orientation(sample), received)
+            self._frames.take_orientation(part, device_orientation(*sample.angles_deg), received)
 
     def description(self) -> Text:
         """Return the shirt's state in words."""
@@ -160,10 +156,6 @@ class PhonesShirt(PlacedSensorsShirt):
     def close(self) -> None:
         """Accept no more samples."""
         self._is_open = False
-
-    def _orientation(self, sample: PhoneSample) -> Rotations:
-        rounded_off = self._rounded_off.uniform(-STEP_DEG / 2, STEP_DEG / 2, 3)
-        return device_orientation(*(np.array(sample.angles_deg) + rounded_off))
 
 
 KIND = ShirtKind(PhonesConfig, PhonesShirt, Trust.NEVER)

@@ -15,7 +15,7 @@ from pydantic.config import JsonDict
 from app.clock import Clock
 from app.hardware.addresses import Cable
 from app.hardware.base import HardwareError
-from app.hardware.shirt.kind import FieldTexts, LayoutFile, ShirtConfig, ShirtKind, ShirtRate, Trust, page_texts
+from app.hardware.shirt.kind import FieldTexts, LayoutFile, ShirtKind, ShirtRate, Trust, WiredConfig, page_texts
 from app.hardware.shirt.serial_bytes import FOREIGN, FrameDecoder, LineDecoder, SerialDecoder
 from app.hardware.shirt.standard import standard_layout
 from app.messages import ALIVE, SensorFrame
@@ -43,7 +43,7 @@ def _add_formats(schema: JsonDict) -> None:
     schema["titles"] = {"frames": frames, "lines": lines}
 
 
-class SerialConfig(ShirtConfig):
+class SerialConfig(WiredConfig):
     """A board that sends its sensors over USB or another serial line."""
 
     model_config = page_texts(

@@ -11,9 +11,10 @@ from typing import Final, NamedTuple
 from app.hardware.shirt.orientation import Rotations, unit_quaternion
 
 LONGEST: Final = 512  # bytes; the longest known one has fewer than 200
-HANDSHAKE, ROTATION_OF_FIRST, BATTERY, SENSOR, ROTATION_OF_SECOND, ROTATION, FLEX = 3, 1, 12, 15, 16, 17, 26
-OTHER_KINDS: Final = frozenset({0, 2, 4, 10, 11, 13, 14, 18, 19, 20, 21, 22, 60, 61})
-"""Heartbeat, turn rate, acceleration, ping, serial line, tap, error, compass, radio, temperature, buttons, features."""
+HANDSHAKE, ROTATION_OF_FIRST, ACCELERATION, BATTERY, SENSOR, ROTATION_OF_SECOND = 3, 1, 4, 12, 15, 16
+ROTATION, FLEX = 17, 26
+OTHER_KINDS: Final = frozenset({0, 2, 10, 11, 13, 14, 18, 19, 20, 21, 22, 60, 61})
+"""Heartbeat, turn rate, ping, serial line, tap, error, compass, radio, temperature, buttons, features."""
 NORMAL: Final = 1  # kind of a rotation; the other one is a correction by a compass
 
 HEAD: Final = Struct(">IQ")
@@ -23,6 +24,7 @@ HEARTBEAT: Final = HEAD.pack(1, 0)
 _BUILD: Final = Struct(">7IB")  # board, sensor, processor, three of 0, protocol; length of the firmware's name
 _QUATERNION: Final = Struct(">4f")
 _ROTATION: Final = Struct(">BB4fB")  # sensor, kind, x, y, z, w, accuracy
+_ACCELERATION: Final = Struct(">3f")  # behind it the sensor's number; owoTrack and early firmware have one sensor
 _FLEX: Final = Struct(">Bf")
 _BATTERY: Final = Struct(">2f")
 _SHARE: Final = Struct(">f")
@@ -51,6 +53,12 @@ class TrackerRotation(NamedTuple):
     orientation: Rotations  # (4,) x, y, z, w
 
 
+class TrackerAcceleration(NamedTuple):
+    """A sensor has measured: it sends its acceleration each time, its orientation only when that has changed."""
+
+    sensor: int
+
+
 class TrackerFlex(NamedTuple):
     """A sample of a strain sensor."""
 
@@ -64,7 +72,9 @@ class TrackerBattery(NamedTuple):
     share: float  # 0 to 1
 
 
-TrackerContent = TrackerHandshake | TrackerSensor | TrackerRotation | TrackerFlex | TrackerBattery | None
+TrackerContent = (
+    TrackerHandshake | TrackerSensor | TrackerRotation | TrackerAcceleration | TrackerFlex | TrackerBattery | None
+)
 """None: nothing that is needed, though the tracker lives."""
 
 
@@ -128,6 +138,12 @@ def _orientation(x: float, y: float, z: float, w: float) -> Rotations:
     return orientation
 
 
+def _acceleration(content: bytes) -> TrackerAcceleration:
+    if not all(map(math.isfinite, _ACCELERATION.unpack_from(content))):
+        raise ValueError
+    return TrackerAcceleration(content[_ACCELERATION.size] if len(content) > _ACCELERATION.size else 0)
+
+
 def _flex(content: bytes) -> TrackerFlex:
     sensor, value = _FLEX.unpack_from(content)
     if not math.isfinite(value):
@@ -152,6 +168,7 @@ _READERS: Final[Mapping[int, tuple[int, Callable[[bytes], TrackerContent]]]] = {
     ROTATION_OF_FIRST: (_QUATERNION.size, _rotation_of_first),
     ROTATION_OF_SECOND: (_QUATERNION.size, _rotation_of_second),
     ROTATION: (_ROTATION.size, _rotation),
+    ACCELERATION: (_ACCELERATION.size, _acceleration),
     FLEX: (_FLEX.size, _flex),
     BATTERY: (_SHARE.size, _battery),
     SENSOR: (_SENSOR.size, _sensor),

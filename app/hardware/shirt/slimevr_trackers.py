@@ -10,6 +10,7 @@ from app.hardware.shirt.sender_choice import SHIRT_SENDER_SILENCE, Address, Send
 from app.hardware.shirt.slimevr_packets import (
     HANDSHAKE_REPLY,
     HEARTBEAT,
+    TrackerAcceleration,
     TrackerBattery,
     TrackerFlex,
     TrackerHandshake,
@@ -171,6 +172,10 @@ class SlimeTrackers:
                 part = self._place(tracker, sensor_name(tracker.mac, sensor))
                 if part is not None:
                     self._frames.take_orientation(part, orientation, t)
+            case TrackerAcceleration(sensor):
+                part = self._place(tracker, sensor_name(tracker.mac, sensor))
+                if part is not None:
+                    self._frames.take_sign(part, t)
             case TrackerFlex(sensor, value):
                 part = self._place(tracker, sensor_name(tracker.mac, sensor, is_flex=True))
                 if part is not None:

@@ -11,7 +11,8 @@ from typing import NamedTuple, Protocol
 import numpy as np
 from numpy.typing import NDArray
 
-STALE = 3.0  # periods of a stream without a sample, after which its channels are NaN
+from app.messages import FRESH_PERIODS
+
 ROUNDING = 1e-6  # s by which times that should be equal differ
 PATIENCE = 0.03  # s for which a row waits for other streams: the chair takes a frame older than 0.05 s for none (S4)
 FALL = 1e-3  # share of a sample's earliness by which even times follow it
@@ -69,7 +70,7 @@ class StreamSamples:
         return is_here or not self.is_regular or self._is_stale(t, self.newest)
 
     def _is_stale(self, t: float, newest: float) -> bool:
-        return t - newest > STALE * self.period + ROUNDING
+        return t - newest > FRESH_PERIODS * self.period + ROUNDING
 
 
 class Rows(Protocol):
@@ -108,12 +109,12 @@ class EvenTimes:
         """Take the time `t` (s) of the next sample; return how many periods later it is: more than 1 after a gap."""
         expected = self.t + self._period
         late = t - expected
-        missing = round(late / self._period) if late > 0.0 else 0
+        missing = round(late / self._period) if 0.0 < late < RESTART_AHEAD * self._period else 0
         if -LONGEST_LAG <= late <= 0.0:
             self.t = expected + FALL * late
         else:  # late, the first sample, or one of another clock
             self.t = t
-        return 1 + missing if missing < RESTART_AHEAD else 1
+        return 1 + missing
 
 
 class LedRows:

@@ -8,7 +8,7 @@ from api.fake_clinic import Clinic
 from api.pairing import closing
 from starlette.websockets import WebSocketDisconnect
 
-from app.api.live import camera_socket
+from app.api.live import camera_socket, page_samples
 from app.api.live.camera_socket import CAMERA_SILENCE, ActiveCamera
 from app.messages import LONGEST_SAMPLE
 
@@ -99,7 +99,7 @@ def test_text_is_no_sample(filmed: Clinic) -> None:
 
 def test_a_flood_closes_the_socket(filmed: Clinic, monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr(camera_socket, "FLOOD", 20)
-    monkeypatch.setattr(camera_socket, "monotonic", lambda: 100.0)
+    monkeypatch.setattr(page_samples, "monotonic", lambda: 100.0)
     with filmed.socket("/camera") as socket:
         for _ in range(21):
             socket.send_bytes(SAMPLE)

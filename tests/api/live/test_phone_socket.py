@@ -7,7 +7,7 @@ import pytest
 from api.fake_clinic import Clinic
 from starlette.websockets import WebSocketDisconnect
 
-from app.api.live import phone_socket
+from app.api.live import page_samples, phone_socket
 from app.messages import LONGEST_SAMPLE
 
 SAMPLE = bytes(range(32))
@@ -116,7 +116,7 @@ def test_text_is_no_sample(phone: Clinic) -> None:
 
 def test_a_flood_closes_the_socket(phone: Clinic, monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr(phone_socket, "FLOOD", 20)
-    monkeypatch.setattr(phone_socket, "monotonic", lambda: 100.0)
+    monkeypatch.setattr(page_samples, "monotonic", lambda: 100.0)
     with phone.socket("/phone") as socket:
         for _ in range(21):
             socket.send_bytes(SAMPLE)

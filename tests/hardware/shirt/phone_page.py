@@ -12,6 +12,10 @@ class PhonePage:
         self._shirt, self._clock, self._page, self._ahead = shirt, clock, page, ahead
         self._seq = 0
 
+    def delay_clock(self, seconds):
+        """Let the clock of the page stand for so long (s)."""
+        self._ahead -= seconds
+
     def message(self, sent_t=None):
         """Return the next message."""
         self._seq += 1

@@ -9,12 +9,21 @@ EVERY_SECOND = 1.0  # s between two handshakes, and between two reports of a sen
 
 
 class SlimeTracker:
-    """Looks for a server, then sends the orientation of its sensors once a period, numbered from 0 since its start."""
+    """Looks for a server, then sends what its sensors measure once a period, numbered from 0 since its start.
+
+    Attributes
+    ----------
+    still : set of int
+        Sensors that lie quite still: the firmware sends their acceleration, and no orientation that has not changed.
+    hung : set of int
+        Sensors that hang: the tracker lives, and they send nothing.
+    """
 
     def __init__(self, mac="A1:B2:C3:D4:E5:F6", sensors=(0,), flex=(), rate=50.0):
         self.mac = mac
         self.orientation = {sensor: np.array((0.0, 0.0, 0.0, 1.0)) for sensor in sensors}
         self.flex = dict.fromkeys(flex, 300.0)
+        self.still, self.hung = set(), set()
         self.period = 1 / rate
         self.is_connected = False
         self.heartbeats = 0  # that came
@@ -43,6 +52,10 @@ class SlimeTracker:
         """Return the packet of an orientation."""
         return self.packet(17, struct.pack(">BB4fB", sensor, kind, *self.orientation[sensor], 0))
 
+    def acceleration(self, sensor=0):
+        """Return the packet of a sensor's acceleration."""
+        return self.packet(4, struct.pack(">3fB", 0.0, 0.0, 0.0, sensor))
+
     def flexed(self, sensor):
         """Return the packet of a strain sensor."""
         return self.packet(26, struct.pack(">Bf", sensor, self.flex[sensor]))
@@ -68,7 +81,9 @@ class SlimeTracker:
             sent += [self.packet(15, struct.pack(">BBBHBB", sensor, 1, 8, 0, 0, 0)) for sensor in told]
         if t >= self._next_t - 1e-9:
             self._next_t = max(self._next_t + self.period, t)
-            sent += [self.rotation(sensor) for sensor in self.orientation]
+            for sensor in self.orientation.keys() - self.hung:
+                sent += [] if sensor in self.still else [self.rotation(sensor)]
+                sent.append(self.acceleration(sensor))
             sent += [self.flexed(sensor) for sensor in self.flex]
         return sent
 

@@ -273,11 +273,11 @@ def test_liblsl_itself_neither_recovers_nor_gathers_samples(lsl):
     assert (options["recover"], options["max_chunklen"]) == (False, 1)
 
 
-def test_a_time_stamp_that_is_no_number_is_left_out_and_a_value_is_passed_on(lsl):
+def test_a_time_stamp_that_is_no_time_is_left_out_and_a_value_is_passed_on(lsl):
     sender = lsl.add_sender(channels=2)
     shirt = opened(lsl)
-    sender.send([1, 2], stamp=float("inf"))
-    sender.send([1, 2], stamp=float("nan"))
+    for stamp in ("inf", "nan", "1e308", "-1e300"):
+        sender.send([1, 2], stamp=float(stamp))
     sender.send([float("nan"), 1e300])
     (frame,) = read_all(shirt)
     np.testing.assert_array_equal(frame.values, np.float32([np.nan, np.inf]))

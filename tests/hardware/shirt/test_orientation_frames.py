@@ -99,6 +99,22 @@ def test_a_silent_sensor_is_nan_after_three_periods_and_comes_back():
     np.testing.assert_allclose(body.step(), np.zeros(9), atol=1e-6)
 
 
+def test_a_sensor_that_gives_signs_keeps_its_orientation_and_none_that_it_never_had():
+    body = Body(["trunk", "right_forearm"])
+    body.hold(2 * REST_TIME)
+    bent = body.step(right_forearm=BEND)
+    kept, body.orientation["right_forearm"] = body.orientation["right_forearm"], None
+    for _ in range(50):
+        body.frames.take_sign("right_forearm", body.t)
+        np.testing.assert_allclose(body.step(), bent, atol=1e-5)
+    assert np.isnan([body.step()[3] for _ in range(4)]).tolist() == [False] * 2 + [True] * 2
+    body.frames.forget("right_forearm")
+    body.frames.take_sign("right_forearm", body.t)
+    assert np.isnan(body.step()[3:]).all()
+    body.orientation["right_forearm"] = kept
+    np.testing.assert_allclose(body.hold()[3:], np.zeros(3), atol=1e-5)
+
+
 def test_without_the_trunk_nothing_that_is_measured_from_it_is_known():
     body = Body(["trunk", "right_forearm"], bends=["left_fingers"])
     body.hold(2 * REST_TIME)
@@ -164,6 +180,8 @@ def test_the_layout_has_the_channels_in_the_order_of_the_frames():
     signals = [*(f"trunk_{i}" for i in (1, 2, 3)), *(f"left_wrist_{i}" for i in (1, 2, 3)), "left_fingers_1"]
     assert layout.channel_names == signals
     assert layout.joint_names == ["trunk", "left_wrist", "left_fingers"]
+    assert layout.may_stay_constant == [True] * 6 + [False], "a strain sensor always trembles"
+    assert [channel.unit for channel in layout.channels] == ["rad"] * 6 + [None]
     body = Body(["trunk", "left_hand"], bends=["left_fingers"])
     body.frames.take_bend("left_fingers", 7.0, body.t)
     assert len(body.step()) == 7

@@ -16,6 +16,7 @@ from app.clock import MonotonicClock
 from app.hardware.base import HardwareError
 from app.hardware.registry import make_shirt, parse_shirt
 from app.hardware.shirt import serial_line
+from app.hardware.shirt.kind import NO_CABLE
 from app.pipeline.loop import ControlLoop
 from app.pipeline.opening import reason
 from app.pipeline.setup import Setup
@@ -240,7 +241,7 @@ def test_the_loop_goes_on_without_the_cable_and_keeps_the_shirt(ring, plugs_anyw
     change = setup.change_shirt(parse_shirt(config))
     change.use(change.open())
     plugs_anywhere(board)
-    assert (setup.source.shirt, setup.source.simulated, setup.mistrust) == ("serial", False, None)
+    assert (setup.source.shirt, setup.source.simulated, setup.mistrust) == ("serial", False, NO_CABLE)
     loop = ControlLoop(setup, ring, None, clock)
 
     def turn_until(is_right):

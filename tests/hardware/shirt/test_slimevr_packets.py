@@ -13,6 +13,7 @@ from app.hardware.shirt.slimevr_packets import (
     HANDSHAKE_REPLY,
     HEARTBEAT,
     LONGEST,
+    TrackerAcceleration,
     TrackerBattery,
     TrackerFlex,
     TrackerHandshake,
@@ -52,7 +53,8 @@ def test_a_rotation_is_read_with_its_sensor_and_number():
         (15, bytes([1, 2]), TrackerSensor(1, 2)),
         (15, bytes([0, 1, 8, 0, 0, 0, 3]), TrackerSensor(0, 1)),
         (0, b"", None),
-        (4, bytes(13), None),
+        (4, bytes(12) + bytes([2]), TrackerAcceleration(2)),
+        (4, bytes(12), TrackerAcceleration(0)),  # owoTrack
         (19, bytes([255, 60]), None),
         (17, struct.pack(">BB4fB", 0, 2, 0, 0, 0, 1, 0), None),  # a correction by the compass
     ],
@@ -87,6 +89,8 @@ def rotation(*quaternion):
         rotation(0, 0, 0, 1) + bytes(LONGEST),
         struct.pack("<IQ", 17, 7) + rotation(0, 0, 0, 1)[12:],  # little-endian
         head(26) + struct.pack(">Bf", 0, float("nan")),
+        head(4) + struct.pack(">3fB", 0, float("nan"), 0, 0),
+        head(4) + bytes(8),
         head(12) + struct.pack(">2f", 3.9, 40.0),
         head(100) + bytes(40),  # a bundle, which we do not ask for
         head(3) + bytes(28 + 1 + 6),  # no address

@@ -113,6 +113,36 @@ def test_the_channels_follow_the_arm():
     np.testing.assert_allclose(frame.values, (0, 0, 0, 0, 0.7, 0), atol=1e-6)
 
 
+def test_a_sensor_that_lies_still_is_no_broken_one_and_one_that_hangs_is_found():
+    """Safety S5: a tracker sends an orientation only when it has changed, and its acceleration while it measures."""
+    room = two_trackers()
+    room.run(2 * REST_TIME)
+    arm = room.trackers[HOME]
+    arm.orientation[0] = exponential(np.array((0.0, 0.7, 0.0)))
+    room.run(0.1)
+    arm.still.add(0)
+    values = np.array([frame.values for frame in room.run(20.0)])
+    np.testing.assert_allclose(values, np.broadcast_to((0, 0, 0, 0, 0.7, 0), values.shape), atol=1e-6)
+    arm.hung.add(0)
+    frames = room.run(0.2)
+    hangs = [known(frame) == [True] * 3 + [False] * 3 for frame in frames]
+    assert hangs == sorted(hangs)
+    assert hangs.count(False) <= 4, "three periods, and the one under way"
+    room.run(20.0)
+    assert arm.is_connected
+    assert room.frames.silent(room.clock.time) == ["right_forearm"]
+    arm.hung.clear()
+    *_, frame = room.run(0.1)
+    assert all(known(frame))
+
+
+def test_a_sensor_whose_orientation_was_never_sent_is_unknown_whatever_it_measures():
+    room = two_trackers()
+    room.trackers[HOME].still.add(0)
+    frames = [frame for frame in room.run(2 * REST_TIME) if frame is not None]
+    assert known(frames[-1]) == [True] * 3 + [False] * 3
+
+
 def test_what_comes_late_or_never_costs_few_samples():
     room = two_trackers(loss=0.05, jitter=0.03)
     room.run(3 * REST_TIME)

@@ -12,13 +12,13 @@ from app.hardware.shirt.stream_join import (
     LONGEST_LAG,
     MOST_WAITING,
     PATIENCE,
-    STALE,
     EvenTimes,
     GridRows,
     LedRows,
     StreamSample,
     StreamSamples,
 )
+from app.messages import FRESH_PERIODS
 
 PERIOD = 0.01  # s
 
@@ -145,12 +145,17 @@ def test_a_row_waits_no_longer_than_its_patience_and_a_silent_stream_is_nan_afte
     found = all_rows(rows, PERIOD + PATIENCE) + all_rows(rows, 1.0)
     assert [row.values[0] for row in found] == [1, 2, 3, 4, 5, 6, 7]
     silent = [bool(np.isnan(row.values[1])) for row in found]
-    assert silent == [False] * int(STALE) + [True] * 4
+    assert silent == [False] * int(FRESH_PERIODS) + [True] * 4
     put(lead, 8 * PERIOD, 8)
     assert rows.next(8 * PERIOD) is not None, "nobody waits for a stream that is silent"
     put(other, 9 * PERIOD, 59)
     put(lead, 9 * PERIOD, 9)
     assert rows.next(9 * PERIOD).values.tolist() == [9, 59]
+
+
+def test_a_time_that_is_far_ahead_is_another_clock_and_no_loss():
+    times = EvenTimes(1e-3)
+    assert [times.step(t) for t in (0.0, 0.002, 1e12, 1e12 + 0.001, 0.003, 1e308)] == [1, 2, 1, 1, 1, 1]
 
 
 def test_a_stream_without_a_rate_is_not_waited_for():
@@ -260,4 +265,4 @@ def test_rows_of_a_grid_are_even_in_order_and_hold_only_samples_that_had_come(ar
         now += step
     assert all(later.seq > earlier.seq for earlier, later in pairwise(found))
     for row in found:
-        assert row.t - STALE * 0.02 - LONGEST_LAG <= row.values[0] <= row.t + 1e-5
+        assert row.t - FRESH_PERIODS * 0.02 - LONGEST_LAG <= row.values[0] <= row.t + 1e-5

@@ -64,7 +64,11 @@ class WiredBoard:
         else:
             self.send_bytes(stream((seq, round(1e6 * seq / self.rate), (seq % 1000, 1, 2)) for seq in numbers))
 
+    def write(self, content: bytes) -> None:
+        """Send arbitrary bytes."""
+        os.write(self._ours, content)
+
     def send_bytes(self, content: bytes) -> None:
         """Send arbitrary bytes, and wait until they are on the line."""
-        os.write(self._ours, content)
+        self.write(content)
         assert select([self.line], [], [], 20.0)[0]

@@ -21,46 +21,35 @@ export async function askForSensors() {
 }
 
 /**
- * A browser tells the angles only when they change. Where it tells the acceleration, it does so all the time: then the
- * sensor has ended when that stops.
+ * A browser may tell the angles only when they change, and tells the acceleration all the time: a sensor that tells
+ * neither has ended, or hangs.
  */
 export class Sensor {
-  /** @type {Angles | null} */
-  #angles = null;
-  #hasMotion = false;
-  #toldAt = performance.now();
-  #left = new AbortController();
+  /** The newest angles; null before the first. @type {Angles | null} */
+  angles = null;
+  /** When it told something, in ms of performance.now; before the first angles, when it was asked. */
+  toldAt = performance.now();
 
   constructor() {
-    const { signal } = this.#left;
-    window.addEventListener("deviceorientation", (event) => this.#take(event), { signal });
-    window.addEventListener("devicemotion", ({ acceleration }) => acceleration?.x != null && this.#note(), { signal });
-  }
-
-  /** The newest angles; null without a sensor. */
-  get angles() {
-    const isOver = performance.now() - this.#toldAt > PATIENCE;
-    return isOver && (this.#hasMotion || !this.#angles) ? null : this.#angles;
+    window.addEventListener("deviceorientation", (event) => this.#take(event));
+    window.addEventListener("devicemotion", (event) => this.#note(event));
   }
 
   /** Whether there may be a sensor: it has told something, or had no time yet. */
   get isHere() {
-    return this.angles !== null || performance.now() - this.#toldAt <= PATIENCE;
-  }
-
-  close() {
-    this.#left.abort();
+    return performance.now() - this.toldAt <= PATIENCE;
   }
 
   /** @param {DeviceOrientationEvent} event */
   #take({ alpha, beta, gamma }) {
     if (alpha === null || beta === null || gamma === null) return;
-    this.#angles = { alpha, beta, gamma };
-    this.#toldAt = performance.now();
+    this.angles = { alpha, beta, gamma };
+    this.toldAt = performance.now();
   }
 
-  #note() {
-    this.#hasMotion = true;
-    this.#toldAt = performance.now();
+  /** @param {DeviceMotionEvent} event */
+  #note({ acceleration, accelerationIncludingGravity }) {
+    const along = acceleration?.x ?? accelerationIncludingGravity?.x ?? null;
+    if (this.angles && along !== null) this.toldAt = performance.now();
   }
 }

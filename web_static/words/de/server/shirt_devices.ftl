@@ -120,6 +120,7 @@ shirtdev-lsl-layout-hint = Eine JSON-Datei, die die Sensoren benennt. Ohne Datei
 shirtdev-nobody-wears = Mit einem simulierten oder abgespielten Shirt lässt sich kein echter Rollstuhl freigeben, denn niemand trägt es. Wählen Sie auf der Seite „Shirt“ das Shirt, das der Patient trägt.
 shirtdev-nobody-proves = Mit dieser Quelle lässt sich kein echter Rollstuhl freigeben, denn nichts belegt, wessen Bewegungen sie zeigt. Wählen Sie auf der Seite „Shirt“ das Shirt, das der Patient trägt.
 shirtdev-no-key = Mit einem Shirt ohne Schlüssel lässt sich kein echter Rollstuhl freigeben, denn jedes Gerät im Netz könnte Datenpakete an seiner Stelle senden. Koppeln Sie das Shirt (bodydrive shirt pair), und wählen Sie dann auf der Seite „Shirt“ seinen Schlüssel.
+shirtdev-no-cable = Mit diesem Shirt lässt sich kein echter Rollstuhl freigeben, denn seine serielle Schnittstelle gehört zu keinem Gerät an diesem Rechner, und jedes Programm könnte darüber senden. Wählen Sie auf der Seite „Shirt“ die Schnittstelle, an der das Kabel des Shirts steckt.
 
 ## What shirts say of themselves, and why one cannot be opened.
 

@@ -120,6 +120,7 @@ shirtdev-lsl-layout-hint = A JSON file that names the sensors. Without one, the 
 shirtdev-nobody-wears = A simulated or played shirt arms no real chair, for nobody wears it: choose the worn shirt on the Shirt page.
 shirtdev-nobody-proves = This source arms no real chair, for nothing proves whose movements it shows: choose the worn shirt on the Shirt page.
 shirtdev-no-key = A shirt without a key arms no real chair, for anybody on the network could send its frames: pair it (bodydrive shirt pair), then choose its key on the Shirt page.
+shirtdev-no-cable = This shirt arms no real chair, for its serial line belongs to no device on this machine, and any program could send on it: choose the line of the shirt's cable on the Shirt page.
 
 ## What shirts say of themselves, and why one cannot be opened.
 

@@ -120,6 +120,7 @@ shirtdev-lsl-layout-hint = Un archivo JSON que nombra los sensores. Sin él, los
 shirtdev-nobody-wears = Una camiseta simulada o reproducida no habilita ninguna silla real, porque no la lleva nadie: elija la camiseta puesta en la página Camiseta.
 shirtdev-nobody-proves = Este origen no habilita ninguna silla real, porque nada demuestra de quién son los movimientos que muestra: elija la camiseta puesta en la página Camiseta.
 shirtdev-no-key = Una camiseta sin clave no habilita ninguna silla real, porque cualquiera en la red podría enviar sus muestras: vincúlela (bodydrive shirt pair) y elija después su clave en la página Camiseta.
+shirtdev-no-cable = Esta camiseta no habilita ninguna silla real, porque su línea serie no pertenece a ningún dispositivo de este equipo y cualquier programa podría enviar por ella: elija en la página Camiseta la línea del cable de la camiseta.
 
 ## What shirts say of themselves, and why one cannot be opened.
 
