@@ -37,7 +37,7 @@ class ChangedLayout(Document):
     layout: ShirtLayout
 
 
-class OwnLayoutView(Document):
+class ClinicLayoutView(Document):
     """A layout that the clinic has made."""
 
     id: int
@@ -57,7 +57,7 @@ class BundledLayoutView(Document):
 class LayoutsView(Document):
     """All layouts, by name. `use`: whether the shirt in use has it, as it is now or as it was before a change."""
 
-    own: list[OwnLayoutView]
+    own: list[ClinicLayoutView]
     bundled: list[BundledLayoutView]
 
 
@@ -160,10 +160,10 @@ def _view(db: Transaction, equipment: Equipment) -> LayoutsView:
     )
 
 
-def _own_view(row: ClinicLayout, in_use: ShirtLayout | None) -> OwnLayoutView:
+def _own_view(row: ClinicLayout, in_use: ShirtLayout | None) -> ClinicLayoutView:
     layout = ShirtLayout.model_validate(row.document)
     use = _use(layout, in_use)
-    return OwnLayoutView(id=row.id, version=row.version, saved=row.saved.isoformat(), use=use, layout=layout)
+    return ClinicLayoutView(id=row.id, version=row.version, saved=row.saved.isoformat(), use=use, layout=layout)
 
 
 def _in_use(equipment: Equipment) -> ShirtLayout | None:

@@ -4,7 +4,6 @@ import re
 from collections.abc import Callable
 from typing import Annotated, Final, Literal
 
-import numpy as np
 from pydantic import Field
 
 from app.clock import Clock
@@ -15,7 +14,6 @@ from app.hardware.shirt.placed_sensors import PlacedSensorsConfig, PlacedSensors
 from app.hardware.shirt.witmotion import (
     LOW_VOLTS,
     RATES,
-    STEP_DEG,
     SensorDecoder,
     SensorMotion,
     SensorVoltage,
@@ -55,9 +53,9 @@ class BluetoothConfig(PlacedSensorsConfig):
 class BluetoothShirt(PlacedSensorsShirt):
     """Frames of the newest orientation of each sensor; their connections have a thread of their own.
 
-    A sensor at rest repeats its angles, as a broken one would (safety S5), because it rounds them. What was rounded off
-    is drawn at random: each angle is anywhere within half a step of what was sent. A sensor that hangs repeats its
-    acceleration and turn rate, too, which otherwise are never quite still: such a frame is no new sample.
+    A sensor at rest repeats its angles, because it rounds them. A sensor that hangs repeats its acceleration and turn
+    rate, too, which otherwise are never quite still: such a frame is no new sample, and without one the sensor's
+    channels become NaN (safety S5).
     """
 
     def __init__(self, config: BluetoothConfig, clock: Clock, load: Callable[[], BleakLibrary] = load_bleak) -> None:
@@ -73,7 +71,6 @@ class BluetoothShirt(PlacedSensorsShirt):
         self._decoders = {address: SensorDecoder() for address in self._parts}
         self._newest = dict.fromkeys(self._parts, b"")  # content of the newest frame
         self._volts: dict[str, float] = {}
-        self._rounded_off = np.random.default_rng(1)
 
     @property
     def found(self) -> list[str]:
@@ -151,9 +148,7 @@ class BluetoothShirt(PlacedSensorsShirt):
                         self.repeated += 1
                         continue
                     self._newest[address] = motion
-                    rounded_off = self._rounded_off.uniform(-STEP_DEG / 2, STEP_DEG / 2, 3)
-                    orientation = sensor_orientation(*(np.array(angles_deg) + rounded_off))
-                    self._frames.take_orientation(part, orientation, t)
+                    self._frames.take_orientation(part, sensor_orientation(*angles_deg), t)
 
 
 KIND = ShirtKind(BluetoothConfig, BluetoothShirt, Trust.NEVER)

@@ -25,7 +25,7 @@ from app.hardware.shirt.brainflow_library import (
     chosen_channels,
     load_brainflow,
 )
-from app.hardware.shirt.kind import LOWEST_RATE, FieldTexts, ShirtConfig, ShirtKind, Trust, page_texts
+from app.hardware.shirt.kind import LOWEST_RATE, FieldTexts, OwnLayout, ShirtConfig, ShirtKind, Trust, page_texts
 from app.hardware.shirt.page_clock import PageClock
 from app.hardware.shirt.stream_join import LONGEST_LAG, LedRows, StreamSample, StreamSamples
 from app.layout import ShirtLayout
@@ -89,7 +89,7 @@ class BrainFlowConfig(ShirtConfig):
     serial_number: Annotated[BoardText, FieldTexts(Text("shirtdev-brainflow-number"))] = None
     other_info: Annotated[BoardText, FieldTexts(Text("shirtdev-brainflow-other"))] = None
     layout: Annotated[
-        ShirtLayout | None,
+        OwnLayout | None,
         Field(json_schema_extra={"format": "layout"}),
         FieldTexts(Text("shirtdev-layout"), Text("shirtdev-brainflow-layout-hint")),
     ] = None  # None: each kind of data is a joint

@@ -7,7 +7,7 @@ from pydantic import Field
 
 from app.clock import Clock
 from app.hardware.base import HardwareError
-from app.hardware.shirt.kind import FieldTexts, ShirtConfig, ShirtKind, SignalFile, Trust, page_texts
+from app.hardware.shirt.kind import FieldTexts, OwnLayout, ShirtConfig, ShirtKind, SignalFile, Trust, page_texts
 from app.hardware.shirt.playback import FrameFile, FramePlayer, read_frames
 from app.layout import ShirtLayout
 from app.messages import SensorFrame
@@ -29,7 +29,7 @@ class ReplayConfig(ShirtConfig):
     file: SignalFile
     loop: Annotated[bool, FieldTexts(Text("shirtdev-replay-loop"))] = True
     layout: Annotated[
-        ShirtLayout | None,
+        OwnLayout | None,
         Field(json_schema_extra={"format": "layout"}),
         FieldTexts(Text("shirtdev-layout"), Text("shirtdev-replay-layout-hint")),
     ] = None  # None: the layout that the file has
