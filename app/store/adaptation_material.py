@@ -54,7 +54,7 @@ def material_for(db: Session, patient_id: int, session_id: int, group: SourceGro
         .join(Profile, Profile.id == ParameterSet.profile_id)
         .join(Run, Run.id == Trial.run_id)
         .where(
-            RUN_GROUP == group,
+            group == RUN_GROUP,
             Trial.kept.is_(True),
             Trial.status == "done",
             Profile.patient_id == patient_id,

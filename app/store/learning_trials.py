@@ -77,7 +77,7 @@ def trials_of_everybody(db: Session, floorplan: str, path: str, group: SourceGro
         .join(PatientSession, PatientSession.id == Trial.session_id)
         .join(Patient, Patient.id == Trial.patient_id)
         .join(Run, Run.id == Trial.run_id)
-        .where(Patient.deleted.is_(None), RUN_GROUP == group, _may_be_used(group))
+        .where(Patient.deleted.is_(None), group == RUN_GROUP, _may_be_used(group))
         .where(*_measured(floorplan, path))
         .order_by(Trial.id.desc())
         .limit(MOST_TRIALS)

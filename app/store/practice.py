@@ -58,9 +58,7 @@ class PracticeHistory:
         return self._hashes.of(row.id, lambda: _hash(row, profile)) == digest
 
 
-def _practice_trials(
-    db: Session, patient_id: int, group: SourceGroup
-) -> Iterator[tuple[Trial, ParameterSet, Profile]]:
+def _practice_trials(db: Session, patient_id: int, group: SourceGroup) -> Iterator[tuple[Trial, ParameterSet, Profile]]:
     """Yield the patient's finished and kept trials of this clinic in which the chair was permitted to move.
 
     The newest comes first.
@@ -71,7 +69,7 @@ def _practice_trials(
         .join(Profile, Profile.id == ParameterSet.profile_id)
         .join(Run, Run.id == Trial.run_id)
         .where(Trial.patient_id == patient_id, Trial.kept.is_(True), Trial.end.in_(PRACTICE_ENDS))
-        .where(RUN_GROUP == group, Trial.session_id.not_in(select(ImportedSession.session_id)))
+        .where(group == RUN_GROUP, Trial.session_id.not_in(select(ImportedSession.session_id)))
         .order_by(Trial.id.desc())
     )
     yield from ((trial, row, profile) for trial, row, profile in rows if trial.measures is not None)

@@ -29,18 +29,8 @@ def lamp_at(page: Any) -> tuple[float, float]:
     return float(x), float(y)
 
 
-def test_a_layout_is_made_changed_saved_and_used(own_demo: str, open_page: Any, tmp_path: Any) -> None:
-    page = open_page(own_demo, allowed=REFUSED)
-    expect(page.get_by_role("heading", name="Where to?")).to_be_visible()
-    put_first_sentences_away(page)
-    go_to(page, "shirt")
-    page.get_by_role("link", name="Edit the layout").click()
-    expect(page.get_by_role("heading", name="Layouts", exact=True)).to_be_focused()
-    page.get_by_label("Name of the layout").fill(NAME)
-    page.get_by_role("button", name="Make it").click()
-    expect(page.get_by_role("heading", name=f"Layout: {NAME}")).to_be_visible()
-
-    # The first sensor gets a name, another side and another place by keys, then another one by a tap.
+def change_first_sensor(page: Any) -> None:
+    """Give the first sensor a name, another side and another place by keys, then another one by a tap."""
     name = page.get_by_label("Name of the sensor")
     name.fill(SENSOR)
     name.press("Tab")
@@ -60,6 +50,42 @@ def test_a_layout_is_made_changed_saved_and_used(own_demo: str, open_page: Any, 
         keep(page, f"{size}-layout-editor")
         fits(page, "main", size)
 
+
+def export_and_import(page: Any, file: Any) -> None:
+    """Export the layout in use, which cannot be deleted, as a file, and import that under another name."""
+    page.get_by_role("link", name="Edit the layout").click()
+    page.get_by_role("button", name=f"Delete “{NAME}”").click()
+    expect(page.get_by_text("use another layout first")).to_be_visible()
+    with page.expect_download() as download:
+        page.get_by_role("button", name=f"Export “{NAME}”").click()
+    download.value.save_as(file)
+    layout = ShirtLayout.model_validate(json.loads(file.read_text()))
+    assert (layout.name, layout.channels[0].name, len(layout.channels)) == (NAME, SENSOR, 52)
+
+    # What is no layout is refused in one sentence.
+    page.get_by_text("A file with a layout", exact=True).click()
+    no_layout = {"name": "x.json", "mimeType": "application/json", "buffer": b"[1]"}
+    page.get_by_label("File", exact=True).set_input_files(no_layout)
+    page.get_by_role("button", name="Make it").click()
+    expect(page.get_by_role("alert").filter(has_text="x.json: this is no layout")).to_be_visible()
+    page.get_by_label("File", exact=True).set_input_files(file)
+    page.get_by_label("Name of the layout").fill("Again")
+    page.get_by_role("button", name="Make it").click()
+    expect(page.get_by_role("heading", name="Layout: Again")).to_be_visible()
+
+
+def test_a_layout_is_made_changed_saved_and_used(own_demo: str, open_page: Any, tmp_path: Any) -> None:
+    page = open_page(own_demo, allowed=REFUSED)
+    expect(page.get_by_role("heading", name="Where to?")).to_be_visible()
+    put_first_sentences_away(page)
+    go_to(page, "shirt")
+    page.get_by_role("link", name="Edit the layout").click()
+    expect(page.get_by_role("heading", name="Layouts", exact=True)).to_be_focused()
+    page.get_by_label("Name of the layout").fill(NAME)
+    page.get_by_role("button", name="Make it").click()
+    expect(page.get_by_role("heading", name=f"Layout: {NAME}")).to_be_visible()
+
+    change_first_sensor(page)
     page.get_by_role("button", name="Save", exact=True).click()
     expect(page.get_by_text(f"“{NAME}” was saved.")).to_be_visible()
     page.get_by_role("button", name="Use it").click()
@@ -73,25 +99,4 @@ def test_a_layout_is_made_changed_saved_and_used(own_demo: str, open_page: Any, 
     x, y = lamp_at(page)
     assert 90 < x < 110
     assert 85 < y < 110
-
-    # It cannot be deleted while the shirt has it, and is exported as a file that is a layout.
-    page.get_by_role("link", name="Edit the layout").click()
-    page.get_by_role("button", name=f"Delete “{NAME}”").click()
-    expect(page.get_by_text("use another layout first")).to_be_visible()
-    with page.expect_download() as download:
-        page.get_by_role("button", name=f"Export “{NAME}”").click()
-    file = tmp_path / "vest.json"
-    download.value.save_as(file)
-    layout = ShirtLayout.model_validate(json.loads(file.read_text()))
-    assert (layout.name, layout.channels[0].name, len(layout.channels)) == (NAME, SENSOR, 52)
-
-    # What was exported is brought again under another name; what is no layout is one sentence.
-    page.get_by_text("A file with a layout", exact=True).click()
-    no_layout = {"name": "x.json", "mimeType": "application/json", "buffer": b"[1]"}
-    page.get_by_label("File", exact=True).set_input_files(no_layout)
-    page.get_by_role("button", name="Make it").click()
-    expect(page.get_by_role("alert").filter(has_text="x.json: this is no layout")).to_be_visible()
-    page.get_by_label("File", exact=True).set_input_files(file)
-    page.get_by_label("Name of the layout").fill("Again")
-    page.get_by_role("button", name="Make it").click()
-    expect(page.get_by_role("heading", name="Layout: Again")).to_be_visible()
+    export_and_import(page, tmp_path / "vest.json")

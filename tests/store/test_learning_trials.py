@@ -29,6 +29,7 @@ SOURCES: dict[SourceGroup, Source] = {
     **{group: Source(shirt=kind, body=None, chair="virtual", simulated=False) for kind, group in OWN_GROUPS.items()},
 }
 
+
 @pytest.fixture
 def patient(rows: ClinicRows) -> Patient:
     return rows.patient()

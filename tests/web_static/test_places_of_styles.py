@@ -18,7 +18,8 @@ STYLES, SCRIPTS = static_folder() / "css", static_folder() / "js"
 TOKENS = STYLES / "tokens.css"
 PAGES = sorted((STYLES / "pages").glob("*.css"))
 APART = {  # load no page
-    *("docs.js", "patient", "patient.js", "phone", "phone.js", "share.js", "stereo", "stereo.js", "tablet", "tablet.js"),
+    *("docs.js", "patient", "patient.js", "phone", "phone.js"),
+    *("share.js", "stereo", "stereo.js", "tablet", "tablet.js"),
 }
 
 COMMENT_LINE = re.compile(r"^ *(?://|/?\*).*$", re.MULTILINE)

@@ -150,9 +150,7 @@ def _partitions(distances: NDArray[np.float64]) -> tuple[dict[int, NDArray[np.in
     return partitions, last
 
 
-def _best(
-    distances: NDArray[np.float64], partitions: dict[int, NDArray[np.intp]]
-) -> tuple[NDArray[np.intp], float]:
+def _best(distances: NDArray[np.float64], partitions: dict[int, NDArray[np.intp]]) -> tuple[NDArray[np.intp], float]:
     """Return the partition into the fewest groups that is nearly as good as the best one, and its mean silhouette."""
     counts = range(2, min(MAX_JOINTS, len(distances) - 1) + 1)
     silhouettes = {count: _silhouette(distances, partitions[count]) for count in counts}
