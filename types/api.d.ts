@@ -5720,6 +5720,13 @@ export interface components {
             /** @default false */
             mirrored: boolean;
         };
+        ArrivalsMoment: {
+            /** @enum {string} */
+            verdict: "arrives" | "waiting" | "nothing" | "foreign" | "refused" | "late" | "repeated" | "disk" | "senders" | "rate" | "unplaced" | "moving" | "idle" | "nobody" | "unopened" | "gone" | "ended";
+            message: string;
+            accepted: number;
+            left_out: number;
+        };
         AttentionView: {
             /** @enum {string} */
             reason: "drive" | "deterioration" | "halted" | "comment" | "unsigned" | "absent";
@@ -7577,6 +7584,8 @@ export interface components {
             quality: string[];
             noise: (number | null)[];
             shirt_words: string;
+            /** @default null */
+            arrivals: components["schemas"]["ArrivalsMoment"] | null;
         };
         QualityRow: {
             id: number;
@@ -7892,6 +7901,7 @@ export interface components {
             kind: string;
             simulated: boolean;
             network: boolean;
+            may_arm: string;
             form: {
                 [key: string]: unknown;
             };
@@ -8392,6 +8402,7 @@ export type AdaptationModeChoice = components['schemas']['AdaptationModeChoice']
 export type AdaptationView = components['schemas']['AdaptationView'];
 export type ArchiveRoomView = components['schemas']['ArchiveRoomView'];
 export type Arrangement = components['schemas']['Arrangement'];
+export type ArrivalsMoment = components['schemas']['ArrivalsMoment'];
 export type AttentionView = components['schemas']['AttentionView'];
 export type Back = components['schemas']['Back'];
 export type BackupSettings = components['schemas']['BackupSettings'];

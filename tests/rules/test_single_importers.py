@@ -27,6 +27,7 @@ EXCEPTIONS: dict[str, tuple[str, ...]] = {
         "app.hardware.chair.telemetry",
         "app.hardware.shirt.lsl_streams",
         "app.hardware.shirt.serial_bytes",
+        "app.hardware.shirt.slimevr_trackers",
         "app.hardware.shirt.stream_join",
         "app.host.authority",
         "app.pipeline.commands",
@@ -57,9 +58,6 @@ EXCEPTIONS: dict[str, tuple[str, ...]] = {
     "how large a request may be is read apart from whose page may ask": ("app.api.body_limits",),
     "what is accepted of foreign files is read apart from the routes of the clinic's own plans": (
         "app.api.routes.plan_uploads",
-    ),
-    "what trackers send and are answered is judged without the socket that they come by": (
-        "app.hardware.shirt.slimevr_trackers",
     ),
     "what is sent over LSL is made of ticks apart from the thread that sends it": ("app.features.lsl.outlets",),
     "the control process passes ids on and loads no catalogue": ("app.fluent_catalogue",),
