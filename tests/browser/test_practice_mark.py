@@ -76,7 +76,7 @@ def test_no_shirt_is_chosen_at_first_and_the_lamps_are_grey(page, served):
     photograph(page, "no-shirt")
     go(page, "calibrate")
     page.get_by_role("link", name="Choose a shirt").click()
-    worn = page.get_by_role("group", name="A shirt that somebody wears")
+    worn = page.get_by_role("group", name="Somebody’s own movements")
     worn.get_by_role("radio", name="A shirt over the network").check(force=True)
     page.get_by_role("button", name="Use this").click()  # without a layout: the standard one
     expect(page.get_by_text("Network shirt on port 5252")).to_be_visible()

@@ -15,6 +15,7 @@ SCRIPTS = {
     "moment_word": "the patient's screen has a large word for every end of a trial",
     "news": "a page asks again only after news that may concern what it shows",
     "page_help": "every page says what it is for in three sentences, and has a drawing",
+    "pages/arrivals": "the Shirt page says why nothing arrives, and which sensors move",
     "pages/first_path": "review begins with a task that can be compared, and says what counts",
     "pages/obstacle_link": "a calibration that does not fit leads to a new one",
     "patient/arrow_and_sounds": "the arrow and the sounds of the patient's screen mean what happens",
