@@ -62,7 +62,10 @@ class SlimeTrackers:
     """
 
     def __init__(self, places: Mapping[str, str], frames: OrientationFrames, watch: ArrivalWatch) -> None:
-        """Take the names of sensors (`sensor_name`) with the part of the body (of PARTS) that each is on."""
+        """Take the names of sensors (`sensor_name`) with the part of the body (of PARTS) that each is on.
+
+        `watch` counts what arrives.
+        """
         self.junk = 0
         self.repeated = 0
         self._places = places
