@@ -100,8 +100,8 @@ def test_every_page_carries_the_mark_while_nobody_wears_the_shirt(page, served):
     page.get_by_role("button", name="Sign out").click()
     expect(page.get_by_role("heading", name="Sign in")).to_be_visible()
     assert_marked(page, "Simulated shirt")
-    # Five show no shirt: the pages of docs/, what somebody outside is shown, what explains trust to a tablet, the page of
-    # a phone that is a sensor, and the frame in which a camera's pictures are read.
+    # Five show no shirt: the pages of docs/, what somebody outside is shown, what explains trust to a tablet, the page
+    # of a phone that is a sensor, and the frame in which a camera's pictures are read.
     of_no_shirt = {"camera.html", "docs.html", "phone.html", "share.html", "tablet.html"}
     assert set(DOCUMENTS) - of_no_shirt == {"index.html", "patient.html", "stereo.html"}
     for address in ("", "patient.html", "stereo.html", link[link.index("patient.html") :]):
