@@ -5720,6 +5720,13 @@ export interface components {
             /** @default false */
             mirrored: boolean;
         };
+        ArrivalsMoment: {
+            /** @enum {string} */
+            verdict: "arrives" | "waiting" | "nothing" | "foreign" | "refused" | "late" | "repeated" | "disk" | "senders" | "rate" | "unplaced" | "moving" | "idle" | "nobody" | "unopened" | "gone" | "ended";
+            message: string;
+            accepted: number;
+            left_out: number;
+        };
         AttentionView: {
             /** @enum {string} */
             reason: "drive" | "deterioration" | "halted" | "comment" | "unsigned" | "absent";
@@ -7578,6 +7585,8 @@ export interface components {
             quality: string[];
             noise: (number | null)[];
             shirt_words: string;
+            /** @default null */
+            arrivals: components["schemas"]["ArrivalsMoment"] | null;
         };
         QualityRow: {
             id: number;
@@ -7893,6 +7902,7 @@ export interface components {
             kind: string;
             simulated: boolean;
             network: boolean;
+            may_arm: string;
             form: {
                 [key: string]: unknown;
             };
@@ -8395,6 +8405,7 @@ export type AdaptationModeChoice = components['schemas']['AdaptationModeChoice']
 export type AdaptationView = components['schemas']['AdaptationView'];
 export type ArchiveRoomView = components['schemas']['ArchiveRoomView'];
 export type Arrangement = components['schemas']['Arrangement'];
+export type ArrivalsMoment = components['schemas']['ArrivalsMoment'];
 export type AttentionView = components['schemas']['AttentionView'];
 export type Back = components['schemas']['Back'];
 export type BackupSettings = components['schemas']['BackupSettings'];

@@ -116,6 +116,7 @@ export type ConfigSchema = {
   title: string;
   description: string;
   in_use: string;
+  facts?: { needs: string; costs: string; takes: string };
   properties: Record<string, FieldSchema>;
 };
 export type ShirtKind = Omit<ShirtKindView, "form"> & { form: ConfigSchema };

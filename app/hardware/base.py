@@ -7,6 +7,7 @@ from typing import Protocol, runtime_checkable
 import numpy as np
 from numpy.typing import NDArray
 
+from app.arrivals import Arrivals
 from app.cues import Cue
 from app.faults import State
 from app.geometry import Pose, Twist
@@ -166,6 +167,15 @@ class SearchingShirt(Protocol):
     @property
     def found(self) -> list[str]:
         """The names of the sensors that send and are on no part of the body."""
+        ...
+
+
+@runtime_checkable
+class ReportingShirt(Protocol):
+    """A shirt that says what arrives at it, and why nothing does."""
+
+    def arrivals(self) -> Arrivals:
+        """Return what arrives now; asked twice a second on the loop, so that it never waits."""
         ...
 
 

@@ -342,6 +342,7 @@ def device_refusal(loop: ControlLoop) -> Text | None:
 def status(loop: ControlLoop) -> JsonDocument:
     """Return the state of shirt, chair and head tracker, in words and numbers."""
     setup = loop.setup
+    arrivals = setup.arrivals
     return {
         "shirt": {
             "kind": setup.shirt_kind,
@@ -352,6 +353,7 @@ def status(loop: ControlLoop) -> JsonDocument:
             "lost": setup.shirt.lost if setup.shirt else 0,
             "senders": _senders(setup.network_shirt),
             "found": setup.found_sensors,
+            "arrivals": None if arrivals is None else arrivals._asdict(),
         },
         "chair": {
             "kind": setup.chair_kind,

@@ -3,6 +3,7 @@
 import math
 from typing import Protocol, cast
 
+from app.arrivals import Arrivals
 from app.calibration.vocabulary import DriveParameters
 from app.clock import Clock
 from app.faults import State
@@ -17,6 +18,7 @@ from app.hardware.base import (
     LinkedChair,
     NetworkShirt,
     PageShirt,
+    ReportingShirt,
     SearchingShirt,
     Shirt,
 )
@@ -172,6 +174,11 @@ class Setup:
     def found_sensors(self) -> list[str]:
         """The names of the sensors that the shirt has found, and that nobody has placed on the body."""
         return self.shirt.found if isinstance(self.shirt, SearchingShirt) else []
+
+    @property
+    def arrivals(self) -> Arrivals | None:
+        """What arrives at the shirt in use; None without one, or when it does not say."""
+        return self.shirt.arrivals() if isinstance(self.shirt, ReportingShirt) else None
 
     @property
     def page_shirt(self) -> PageShirt | None:

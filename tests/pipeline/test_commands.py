@@ -9,6 +9,7 @@ import numpy as np
 import pytest
 from hardware.shirt.camera_page import CHANNELS, message_of
 
+from app.arrivals import arrivals_from
 from app.calibration.vocabulary import Binding
 from app.disk_room import ROOM_TO_RECORD
 from app.faults import Fault, State
@@ -281,6 +282,14 @@ def test_another_sender_is_named_and_taken_only_while_disarmed(control):
         assert "look at the Shirt page" in control.refused("sender", sender="127.0.0.1:1")
         control.done("sender", sender=name)
         assert control.done("status")["shirt"]["senders"] == {"shirt": name, "other": "", "others": 0}
+    control.setup.close()
+
+
+def test_the_status_says_what_arrives_where_the_shirt_says_it(control):
+    assert control.done("status")["shirt"]["arrivals"] is None
+    network_shirt(control)
+    arrivals = arrivals_from(control.done("status")["shirt"]["arrivals"])
+    assert (arrivals.verdict, str(arrivals.message)) == ("waiting", "Waiting for signals.")
     control.setup.close()
 
 

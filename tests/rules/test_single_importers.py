@@ -28,6 +28,7 @@ EXCEPTIONS: dict[str, tuple[str, ...]] = {
         "app.hardware.shirt.brainflow_library",
         "app.hardware.shirt.lsl_streams",
         "app.hardware.shirt.serial_bytes",
+        "app.hardware.shirt.slimevr_trackers",
         "app.host.authority",
         "app.pipeline.commands",
         "app.pipeline.movement_check",
@@ -57,9 +58,6 @@ EXCEPTIONS: dict[str, tuple[str, ...]] = {
     "how large a request may be is read apart from whose page may ask": ("app.api.body_limits",),
     "what is accepted of foreign files is read apart from the routes of the clinic's own plans": (
         "app.api.routes.plan_uploads",
-    ),
-    "what trackers send and are answered is judged without the socket that they come by": (
-        "app.hardware.shirt.slimevr_trackers",
     ),
     "bleak's thread is read apart from the shirt, which the control loop calls": (
         "app.hardware.shirt.bluetooth_links",

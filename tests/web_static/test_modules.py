@@ -16,6 +16,7 @@ SCRIPTS = {
     "moment_word": "the patient's screen has a large word for every end of a trial",
     "news": "a page asks again only after news that may concern what it shows",
     "page_help": "every page has its module and its name, says what it is for in three sentences, and has a drawing",
+    "pages/arrivals": "the Shirt page says why nothing arrives, and which sensors move",
     "pages/channel_movement": "a sensor that is wiggled is seen to move, and no other one",
     "pages/first_path": "review begins with a task that can be compared, and says what counts",
     "pages/layout_document": "the editor of layouts changes places, joints and groups, and names places on the body",

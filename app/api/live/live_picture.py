@@ -8,6 +8,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from app.api.live.message import (
+    ArrivalsMoment,
     DriveMoment,
     FaultMessage,
     HeadMoment,
@@ -20,6 +21,7 @@ from app.api.live.message import (
     TrialMoment,
 )
 from app.api.live.picture_sender import PictureSender
+from app.arrivals import Arrivals
 from app.calibration.channel_quality import channel_quality
 from app.clock import monotonic
 from app.faults import EXPLANATIONS, Fault, is_pause
@@ -133,7 +135,7 @@ class LivePicture:
         """Return the condition and the noise of every channel over the last second, and the shirt's state in words."""
         layout = self._equipment.layout
         if layout is None:
-            return Quality(quality=[], noise=[], shirt_words=self._equipment.failure or "")
+            return Quality(quality=[], noise=[], shirt_words=self._equipment.failure or "", arrivals=self._arrivals())
         frames = self._control.newest_frames(len(layout.channels), self._equipment.sample_rate, LOOK_BACK)
         tick = self._control.newest()
         estimated = 0 if tick is None else int(tick["estimated"])
@@ -141,7 +143,16 @@ class LivePicture:
             quality=lamps(layout, frames, self._equipment.sample_rate, self._equipment.unused, estimated),
             noise=_numbers(noise_of(frames, len(layout.channels)), 5),
             shirt_words=self._equipment.state,
+            arrivals=self._arrivals(),
         )
+
+    def _arrivals(self) -> ArrivalsMoment | None:
+        """Return what arrives at the shirt, or why it cannot be opened; None when nothing is known."""
+        equipment = self._equipment
+        arrivals = equipment.arrivals
+        if equipment.shirt is not None and equipment.failure is not None:
+            arrivals = Arrivals("unopened", equipment.failure)
+        return None if arrivals is None else ArrivalsMoment(**arrivals._asdict())
 
     def _newest(self) -> np.void | None:
         ticks = self._control.since(self._number)

@@ -110,6 +110,7 @@ class ShirtKindView(Document):
     kind: str
     simulated: bool  # whether nobody wears it
     network: bool  # whether people choose the sender of its frames
+    may_arm: Text | str  # whether it may drive a real chair, with the reason
     form: dict[str, Any]  # the JSON schema of its configuration, of which the page makes the form
 
 
@@ -228,7 +229,11 @@ def list_shirts(_person: Anyone) -> list[ShirtKindView]:
 def shirt_kind_view(kind: ShirtKind[Any]) -> ShirtKindView:
     """Return what a page needs of a kind of shirt."""
     return ShirtKindView(
-        kind=kind.name, simulated=kind.simulated, network=kind.is_on_network, form=kind.config.model_json_schema()
+        kind=kind.name,
+        simulated=kind.simulated,
+        network=kind.is_on_network,
+        may_arm=kind.may_arm,
+        form=kind.config.model_json_schema(),
     )
 
 

@@ -8,8 +8,10 @@ import numpy as np
 from numpy.typing import NDArray
 from pydantic import Field
 
+from app.arrivals import Arrivals, ArrivalVerdict
 from app.clock import Clock
-from app.hardware.shirt.kind import FieldTexts, ShirtConfig, ShirtKind, Trust, page_texts
+from app.hardware.shirt.arrival_watch import GOOD, WAITING, ArrivalWatch, LeftOut
+from app.hardware.shirt.kind import FieldTexts, ShirtConfig, ShirtKind, SourceFacts, Trust, page_texts
 from app.hardware.shirt.page_clock import LONGEST_PAGE, TOO_OLD, PageClock
 from app.hardware.shirt.simulator import Pace
 from app.hardware.shirt.standard import bundled_layout
@@ -62,6 +64,7 @@ class CameraConfig(ShirtConfig):
         Text("shirtdev-camera-title"),
         about=Text("shirtdev-camera-about"),
         in_use=Text("shirtdev-camera-in-use", rate="{sample_rate}"),
+        facts=SourceFacts(Text("shirtdev-camera-needs"), Text("shirtdev-camera-costs"), Text("shirtdev-camera-takes")),
     )
 
     kind: Literal["camera"]
@@ -92,6 +95,7 @@ class CameraShirt:
         self._received = -math.inf  # monotonic s, when the newest sample came
         self._interval = 1.0 / self.sample_rate  # s between samples, smoothed
         self._values: NDArray[np.float32] = np.full(len(self.layout.channels), np.nan, np.float32)
+        self._watch = ArrivalWatch(self._clock.now())
         self._pace: Pace | None = None  # None before the first sample
         self._number = self._passed_on = -1  # of the newest frame, and of the newest that `read` returned
 
@@ -105,21 +109,23 @@ class CameraShirt:
 
         Messages that are no sample, come again or show a body of the past are counted and left out.
         """
-        sample = decode_sample(message, len(self.layout.channels)) if self._is_open else None
-        if sample is None:
-            self.refused += self._is_open
+        if not self._is_open:
             return
-        if page != self._page:
+        sample = decode_sample(message, len(self.layout.channels))
+        if page != self._page and sample is not None:
             self._page, self._seq, self._page_clock = page, -1, PageClock()
-        if sample.seq <= self._seq:
+        if sample is None or sample.seq <= self._seq:
             self.refused += 1
+            self._watch.leave_out(LeftOut(received, "foreign"))
             return
         self._seq = sample.seq
         received = min(received, self._clock.now())
         self._age = self._page_clock.age(sample.picture_t, sample.sent_t, received)
         if self._age > TOO_OLD:
             self.late += 1
+            self._watch.leave_out(LeftOut(received, "late"))
             return
+        self._watch.accept(received)
         if received - self._received <= ALIVE:
             self._interval += SMOOTHING * (received - self._received - self._interval)
         self._received, self._values = received, sample.values
@@ -163,6 +169,33 @@ class CameraShirt:
             delay=round(1000.0 * self._age),
             **common,
         )
+
+    def arrivals(self) -> Arrivals:
+        """Return what arrives from pages."""
+        verdict: ArrivalVerdict = self._watch.verdict(self._clock.now()) if self._is_open else "gone"
+        if verdict == "arrives":
+            too_slow = FRESH_PERIODS / self.sample_rate < self._interval
+            verdict = "nobody" if np.isnan(self._values).all() else "rate" if too_slow else verdict
+        return Arrivals(verdict, self._arrival_text(verdict), self._watch.accepted, self._watch.left_out)
+
+    def _arrival_text(self, verdict: ArrivalVerdict) -> Text:
+        """Return a verdict in words, with what to do."""
+        match verdict:
+            case "gone":
+                return self.description()
+            case "nothing":
+                return Text("arrivals-camera-nothing")
+            case "foreign":
+                return Text("arrivals-page-foreign", count=self.refused)
+            case "late":
+                return Text("arrivals-camera-late", delay=Figure(self._age, 1))
+            case "nobody":
+                return Text("arrivals-camera-nobody")
+            case "rate":
+                pictures = round(1.0 / max(self._interval, SHORTEST_INTERVAL))
+                return Text("arrivals-camera-slow", pictures=pictures, expected=round(self.sample_rate, 2))
+            case _:
+                return GOOD if verdict == "arrives" else WAITING
 
     def close(self) -> None:
         """Accept no more samples, and end the frames."""

@@ -3,7 +3,7 @@
 from collections.abc import Callable
 from dataclasses import dataclass
 from enum import Enum
-from typing import Annotated, Any, Generic, TypeVar, get_args
+from typing import Annotated, Any, Generic, NamedTuple, TypeVar, get_args
 
 from pydantic import AfterValidator, ConfigDict, Field, GetJsonSchemaHandler
 from pydantic.config import JsonDict
@@ -32,6 +32,22 @@ class Trust(Enum):
     NEVER = "no: nobody wears it, or nothing proves who sends"
 
 
+MAY_ARM = {
+    Trust.WIRED: Text("shirtdev-chair-wired"),
+    Trust.WITH_KEY: Text("shirtdev-chair-with-key"),
+    Trust.NEVER: Text("shirtdev-chair-nobody-proves"),
+}
+"""Whether a kind of worn shirt may drive a real chair, with the reason, where shirts are chosen."""
+
+
+class SourceFacts(NamedTuple):
+    """What people want to know of a kind of shirt before they choose it."""
+
+    needs: Text | str
+    costs: Text | str
+    takes: Text | str  # how long until its signals are there
+
+
 class ShirtConfig(Document):
     """The configuration of a shirt, without the fields that each kind adds.
 
@@ -48,7 +64,9 @@ class WiredConfig(ShirtConfig):
     device: Cable
 
 
-def page_texts(title: Text | str, *, in_use: Text | str, about: Text | None = None) -> ConfigDict:
+def page_texts(
+    title: Text | str, *, in_use: Text | str, about: Text | None = None, facts: SourceFacts | None = None
+) -> ConfigDict:
     """Return the part of a `model_config` with the texts of the Shirt page, in the language of its reader.
 
     Parameters
@@ -59,12 +77,16 @@ def page_texts(title: Text | str, *, in_use: Text | str, about: Text | None = No
         The shirt in use in one line; `{NAME}` stands for the value of a field.
     about : Text or None
         What the kind is, in one line; None: the class's docstring.
+    facts : SourceFacts or None
+        What it needs and costs, and how long it takes; None: the page does not say.
     """
 
     def add(schema: JsonDict) -> None:
         schema |= {"title": str(title), "in_use": str(in_use)}
         if about is not None:
             schema["description"] = str(about)
+        if facts is not None:
+            schema["facts"] = {name: str(text) for name, text in facts._asdict().items()}
 
     return ConfigDict(json_schema_extra=add)
 
@@ -121,6 +143,11 @@ class ShirtKind(Generic[Config]):
     def is_on_network(self) -> bool:
         """Whether others could send frames to it, so that people choose the sender (`NetworkShirt`)."""
         return hasattr(self.driver, "use_sender")
+
+    @property
+    def may_arm(self) -> Text:
+        """Whether a shirt of this kind may drive a real chair, with the reason."""
+        return Text("shirtdev-chair-nobody-wears") if self.simulated else MAY_ARM[self.trust]
 
     def fields_of(self, form: str) -> list[str]:
         """Return the names of the fields whose schema has this `format`, such as `signal-file`."""

@@ -8,8 +8,10 @@ from typing import Annotated, Any, Literal, NamedTuple
 
 from pydantic import Field
 
+from app.arrivals import Arrivals
 from app.clock import Clock
 from app.hardware.base import HardwareError
+from app.hardware.shirt.arrival_watch import GOOD, WAITING, ArrivalWatch
 from app.hardware.shirt.kind import (
     HIGHEST_RATE,
     LOWEST_RATE,
@@ -17,6 +19,7 @@ from app.hardware.shirt.kind import (
     OwnLayout,
     ShirtConfig,
     ShirtKind,
+    SourceFacts,
     Trust,
     page_texts,
 )
@@ -53,7 +56,10 @@ class LslConfig(ShirtConfig):
     """Streams of the Lab Streaming Layer, such as of an amplifier or of motion capture."""
 
     model_config = page_texts(
-        Text("shirtdev-lsl-title"), about=Text("shirtdev-lsl-about"), in_use=Text("shirtdev-lsl-in-use")
+        Text("shirtdev-lsl-title"),
+        about=Text("shirtdev-lsl-about"),
+        in_use=Text("shirtdev-lsl-in-use"),
+        facts=SourceFacts(Text("shirtdev-lsl-needs"), Text("shirtdev-lsl-costs"), Text("shirtdev-lsl-takes")),
     )
 
     kind: Literal["lsl"]
@@ -219,7 +225,7 @@ class LslShirt:
         self._rows: Rows | None = None
         self._ahead = 0.0  # s by which LSL's clock is ahead of `clock`
         self._settle_at = 0.0  # s
-        self._frame_t = -math.inf  # s
+        self._watch = ArrivalWatch()
 
     @property
     def layout(self) -> ShirtLayout:
@@ -253,7 +259,7 @@ class LslShirt:
         if count != named:
             raise HardwareError(Text("shirtdev-lsl-misfit", channels=count, named=named))
         self._settle(lsl)
-        self._frame_t = -math.inf
+        self._watch = ArrivalWatch(self._clock.now())
         self._begin(lsl, opened)
 
     def read(self, timeout: float) -> SensorFrame | None:
@@ -266,7 +272,7 @@ class LslShirt:
                 row = self._next_row()
             now = self._clock.now()
             if row is not None:
-                self._frame_t = now
+                self._watch.accept(now)
                 return SensorFrame(row.seq & 0xFFFFFFFF, row.t, now, row.values)
             if now >= deadline:
                 return None
@@ -283,8 +289,7 @@ class LslShirt:
         """Return the shirt's state in words."""
         if self._rows is None:
             return Text("shirtdev-lsl-closed")
-        lost = [stream.facts.text for stream in self._streams if stream.is_lost]
-        if self._clock.now() - self._frame_t > ALIVE:
+        if self._clock.now() - self._watch.accepted_t > ALIVE:
             return Text("shirtdev-lsl-silent", streams=[stream.facts.text for stream in self._streams])
         age = self._lsl_time() - max(stream.samples.newest for stream in self._streams)
         return Text(
@@ -293,14 +298,31 @@ class LslShirt:
             rate=round(self.sample_rate, 2),
             age=Figure(max(0.0, 1000.0 * age)),
             lost=self.lost,
-            gone=lost or "none",
+            gone=self._lost_streams or "none",
         )
+
+    def arrivals(self) -> Arrivals:
+        """Return what arrives from the streams."""
+        if self._rows is None:
+            return Arrivals("gone", self.description())
+        verdict, lost = self._watch.verdict(self._clock.now()), self._lost_streams
+        message = GOOD if verdict == "arrives" else WAITING
+        if verdict == "nothing":
+            verdict = "gone" if lost else verdict
+            streams = lost or [stream.facts.text for stream in self._streams]
+            message = Text("arrivals-lsl-silent", streams=streams, ended="yes" if lost else "no")
+        return Arrivals(verdict, message, self._watch.accepted)
 
     def close(self) -> None:
         """Release the streams; closing twice does no harm."""
         streams, self._streams, self._rows = self._streams, [], None
         for stream in streams:
             stream.close()
+
+    @property
+    def _lost_streams(self) -> list[Text]:
+        """The streams whose senders have ended, in words."""
+        return [stream.facts.text for stream in self._streams if stream.is_lost]
 
     def _chosen(self, lsl: LslLibrary, looks: int = LOOKS) -> list[tuple[StreamFacts, LslInfo]]:
         """Return the streams that people seek; HardwareError when it is not clear which they are."""

@@ -7,8 +7,10 @@ from typing import Final, Literal, NamedTuple
 
 import numpy as np
 
+from app.arrivals import Arrivals, ArrivalVerdict
 from app.clock import Clock
-from app.hardware.shirt.kind import ShirtKind, Trust, page_texts
+from app.hardware.shirt.arrival_watch import LeftOut
+from app.hardware.shirt.kind import ShirtKind, SourceFacts, Trust, page_texts
 from app.hardware.shirt.orientation import Rotations, exponential, product
 from app.hardware.shirt.page_clock import LONGEST_PAGE, TOO_OLD, PageClock
 from app.hardware.shirt.placed_sensors import PlacedSensorsConfig, PlacedSensorsShirt
@@ -61,6 +63,7 @@ class PhonesConfig(PlacedSensorsConfig):
         Text("shirtdev-phones-title"),
         about=Text("shirtdev-phones-about"),
         in_use=Text("shirtdev-phones-in-use", rate="{sample_rate}"),
+        facts=SourceFacts(Text("shirtdev-phones-needs"), Text("shirtdev-phones-costs"), Text("shirtdev-phones-takes")),
     )
 
     kind: Literal["phones"]
@@ -117,9 +120,11 @@ class PhonesShirt(PlacedSensorsShirt):
 
         Messages that are no sample, come again or show the past are counted and left out.
         """
-        sample = decode_phone(message) if self._is_open and 1 <= page <= MOST_PHONES else None
+        if not self._is_open:
+            return
+        sample = decode_phone(message) if 1 <= page <= MOST_PHONES else None
         if sample is None:
-            self.refused += self._is_open
+            self._refuse(received)
             return
         phone, part = self._phones.setdefault(page, _Phone()), self._parts.get(page)
         if sample.page != phone.page:
@@ -127,15 +132,19 @@ class PhonesShirt(PlacedSensorsShirt):
             if part is not None:
                 self._frames.forget(part)  # a page that was loaded again may have another north
         if sample.seq <= phone.seq:
-            self.refused += 1
+            self._refuse(received)
             return
         received = min(received, self._clock.now())
         phone.seq, phone.newest_t = sample.seq, received
         self._age = phone.clock.age(sample.sent_t, sample.sent_t, received)
         if self._age > TOO_OLD:
             self.late += 1
+            self._watch.leave_out(LeftOut(received, "late"))
         elif part is not None:
+            self._watch.accept(received)
             self._frames.take_orientation(part, device_orientation(*sample.angles_deg), received)
+        else:
+            self._watch.leave_out(LeftOut(received, "unplaced"))
 
     def description(self) -> Text:
         """Return the shirt's state in words."""
@@ -153,9 +162,27 @@ class PhonesShirt(PlacedSensorsShirt):
         found = self.found
         return self._sentences(phones, found=Text("shirtdev-phones-found", phones=found) if found else None)
 
+    def arrivals(self) -> Arrivals:
+        """Return what arrives from the pages of the phones."""
+        if not self._is_open:
+            return Arrivals("gone", self.description())
+        reasons: dict[ArrivalVerdict, Text] = {
+            "nothing": Text("arrivals-phones-nothing"),
+            "foreign": Text("arrivals-page-foreign", count=self.refused),
+            "late": Text("arrivals-phones-late", delay=Figure(self._age, 1)),
+        }
+        if found := self.found:
+            reasons["unplaced"] = Text("shirtdev-phones-found", phones=found)
+        return self._arrivals(reasons)
+
     def close(self) -> None:
         """Accept no more samples."""
         self._is_open = False
+
+    def _refuse(self, t: float) -> None:
+        """Count a message that is no sample, or comes again, and came at `t` (monotonic s)."""
+        self.refused += 1
+        self._watch.leave_out(LeftOut(t, "foreign"))
 
 
 KIND = ShirtKind(PhonesConfig, PhonesShirt, Trust.NEVER)

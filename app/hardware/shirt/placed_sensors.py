@@ -7,7 +7,9 @@ import numpy as np
 from numpy.typing import NDArray
 from pydantic import Field, field_validator, model_validator
 
+from app.arrivals import Arrivals, ArrivalVerdict
 from app.clock import Clock
+from app.hardware.shirt.arrival_watch import GOOD, WAITING, ArrivalWatch
 from app.hardware.shirt.body_parts import PARTS, TRUNK, layout_of, part_title
 from app.hardware.shirt.kind import FieldTexts, ShirtConfig, ShirtRate
 from app.hardware.shirt.orientation_frames import OrientationFrames
@@ -136,6 +138,7 @@ class PlacedSensorsShirt:
         """Forget everything that was received."""
         self._frames = OrientationFrames(self._sensors, self._bends, self.sample_rate, self._from_neighbour)
         self._grid = FrameGrid(self._clock, self.sample_rate)
+        self._watch = ArrivalWatch(self._clock.now())
 
     @property
     def lost(self) -> int:
@@ -166,6 +169,23 @@ class PlacedSensorsShirt:
         """Take in what comes until `t` (monotonic s)."""
         self._clock.sleep_until(t)
 
+    def _arrivals(self, reasons: Mapping[ArrivalVerdict, Text]) -> Arrivals:
+        """Return what arrives; `reasons` has sentences on why no signals do.
+
+        Sensors that send and were not at rest yet give no signals.
+        """
+        now = self._clock.now()
+        verdict = self._watch.verdict(now)
+        message = GOOD if verdict == "arrives" else reasons.get(verdict, WAITING)
+        moving = self._moving(self._frames.silent(now))
+        if verdict == "arrives" and moving:
+            verdict, message = "moving", Text("shirtdev-sensors-moving", parts=[part_title(part) for part in moving])
+        return Arrivals(verdict, message, self._watch.accepted, self._watch.left_out)
+
+    def _moving(self, silent: Collection[str]) -> list[str]:
+        """Return the parts of the body, but the silent ones, whose sensors were not at rest yet."""
+        return [part for part in self._frames.moving if part not in silent]
+
     def _count_sending(self) -> int:
         """Return how many sensors on the body send."""
         return len(self._sensors) - len(self._frames.silent(self._clock.now()))
@@ -179,7 +199,7 @@ class PlacedSensorsShirt:
         sentences = [first]
         for message, parts in (
             ("shirtdev-sensors-silent", silent),
-            ("shirtdev-sensors-moving", [part for part in self._frames.moving if part not in silent]),
+            ("shirtdev-sensors-moving", self._moving(silent)),
             ("shirtdev-sensors-drift", self._frames.drifting),
             ("shirtdev-sensors-battery", list(low)),
         ):

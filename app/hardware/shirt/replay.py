@@ -5,9 +5,20 @@ from typing import Annotated, Literal
 
 from pydantic import Field
 
+from app.arrivals import Arrivals
 from app.clock import Clock
 from app.hardware.base import HardwareError
-from app.hardware.shirt.kind import FieldTexts, OwnLayout, ShirtConfig, ShirtKind, SignalFile, Trust, page_texts
+from app.hardware.shirt.arrival_watch import GOOD
+from app.hardware.shirt.kind import (
+    FieldTexts,
+    OwnLayout,
+    ShirtConfig,
+    ShirtKind,
+    SignalFile,
+    SourceFacts,
+    Trust,
+    page_texts,
+)
 from app.hardware.shirt.playback import FrameFile, FramePlayer, read_frames
 from app.layout import ShirtLayout
 from app.messages import SensorFrame
@@ -23,6 +34,7 @@ class ReplayConfig(ShirtConfig):
         Text("shirtdev-replay-title"),
         about=Text("shirtdev-replay-about"),
         in_use=Text("shirtdev-replay-in-use", file="{file}"),
+        facts=SourceFacts(Text("shirtdev-replay-needs"), Text("shirtdev-replay-costs"), Text("shirtdev-replay-takes")),
     )
 
     kind: Literal["replay"]
@@ -109,6 +121,13 @@ class ReplayedShirt:
             length=Figure(length),
             note=self._file.note or "none",
         )
+
+    def arrivals(self) -> Arrivals:
+        """Return whether frames still come of the file."""
+        if self._player is None:
+            return Arrivals("gone", self.description())
+        has_ended = math.isinf(self._player.due)
+        return Arrivals("ended", self.description()) if has_ended else Arrivals("arrives", GOOD)
 
     def close(self) -> None:
         """End the replay."""

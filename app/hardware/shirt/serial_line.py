@@ -12,10 +12,21 @@ from typing import TYPE_CHECKING, Annotated, Literal
 from pydantic import Field
 from pydantic.config import JsonDict
 
+from app.arrivals import Arrivals, ArrivalVerdict
 from app.clock import Clock
 from app.hardware.addresses import Cable
 from app.hardware.base import HardwareError
-from app.hardware.shirt.kind import FieldTexts, LayoutFile, ShirtKind, ShirtRate, Trust, WiredConfig, page_texts
+from app.hardware.shirt.arrival_watch import GOOD, WAITING, ArrivalWatch, LeftOut, RateMeter
+from app.hardware.shirt.kind import (
+    FieldTexts,
+    LayoutFile,
+    ShirtKind,
+    ShirtRate,
+    SourceFacts,
+    Trust,
+    WiredConfig,
+    page_texts,
+)
 from app.hardware.shirt.serial_bytes import FOREIGN, FrameDecoder, LineDecoder, SerialDecoder
 from app.hardware.shirt.standard import standard_layout
 from app.messages import ALIVE, SensorFrame
@@ -50,6 +61,7 @@ class SerialConfig(WiredConfig):
         Text("shirtdev-serial-title"),
         about=Text("shirtdev-serial-about"),
         in_use=Text("shirtdev-serial-in-use", device="{device}"),
+        facts=SourceFacts(Text("shirtdev-serial-needs"), Text("shirtdev-serial-costs"), Text("shirtdev-serial-takes")),
     )
 
     kind: Literal["serial"]
@@ -84,11 +96,18 @@ class SerialShirt:
         self.sample_rate = config.sample_rate
         self._config = config
         self._clock = clock
-        self._decoder = self._new_decoder()
         self._port: Serial | None = None
         self._reopening: _Reopening | None = None  # of a line that was lost
         self._frames: deque[SensorFrame] = deque()
-        self._bytes_t = self._frame_t = -math.inf  # monotonic s, when the newest came
+        self._forget()
+
+    def _forget(self) -> None:
+        """Forget everything that was received."""
+        self._decoder = self._new_decoder()
+        self._bytes = 0  # that came
+        self._bytes_t = -math.inf  # monotonic s, when the newest came
+        self._watch = ArrivalWatch(self._clock.now())
+        self._rate = RateMeter(self.sample_rate)
 
     @property
     def lost(self) -> int:
@@ -104,14 +123,14 @@ class SerialShirt:
             When there is no such line, or it may not or cannot be opened.
         """
         self.close()
-        self._decoder = self._new_decoder()
-        self._bytes_t = self._frame_t = -math.inf
+        self._forget()
         try:
             self._port = open_line(self._config)
         except (OSError, ValueError) as error:  # a SerialException is an OSError; ValueError: a baud rate
             code = getattr(error, "errno", None)
             why, cause = os.strerror(code) if code else str(error), CAUSES.get(code or 0, "other")
-            text = Text("shirtdev-serial-failed", device=self._config.device, why=why, cause=cause)
+            device, lines = self._config.device, cables() if cause == "missing" else []
+            text = Text("shirtdev-serial-failed", device=device, why=why, cause=cause, lines=lines or "none")
             raise HardwareError(text) from error
 
     def read(self, timeout: float) -> SensorFrame | None:
@@ -146,7 +165,7 @@ class SerialShirt:
             return Text("shirtdev-serial-closed")
         if now - self._bytes_t > ALIVE:
             return Text("shirtdev-serial-silent", device=device)
-        if now - self._frame_t > ALIVE:
+        if now - self._watch.accepted_t > ALIVE:
             return Text("shirtdev-serial-unreadable", device=device, trouble=decoder.refusal or FOREIGN)
         return Text(
             "shirtdev-serial",
@@ -158,6 +177,31 @@ class SerialShirt:
             late="yes" if decoder.late_by else "no",
             delay=Figure(decoder.late_by, 1),
         )
+
+    def arrivals(self) -> Arrivals:
+        """Return what arrives on the line."""
+        verdict: ArrivalVerdict = "gone" if self._port is None else self._watch.verdict(self._clock.now())
+        if verdict == "arrives" and self._rate.is_wrong:
+            verdict = "rate"
+        return Arrivals(verdict, self._arrival_text(verdict), self._watch.accepted, self._watch.left_out)
+
+    def _arrival_text(self, verdict: ArrivalVerdict) -> Text:
+        """Return a verdict in words, with what to do."""
+        device = self._config.device
+        match verdict:
+            case "gone" if self._reopening is not None:
+                return Text("arrivals-serial-gone", device=device, lines=self._reopening.others or "none")
+            case "gone":
+                return self.description()
+            case "nothing":
+                return Text("shirtdev-serial-silent", device=device)
+            case "foreign":
+                why = self._decoder.refusal or FOREIGN
+                return Text("arrivals-serial-foreign", device=device, bytes=self._bytes, why=why)
+            case "rate":
+                return Text("arrivals-rate", measured=round(self._rate.rate), expected=round(self.sample_rate, 2))
+            case _:
+                return GOOD if verdict == "arrives" else WAITING
 
     def close(self) -> None:
         """Close the serial line; closing twice does no harm."""
@@ -190,13 +234,23 @@ class SerialShirt:
         except OSError:
             self._lose_line()
             return False
-        t = self._clock.now()
+        t, junk = self._clock.now(), self._decoder.junk
         frames = self._decoder.feed(content, t)
         self._frames.extend(frames)
+        self._bytes += len(content)
         self._bytes_t = t
+        self._watch.leave_out(LeftOut(t, "foreign", len(content)), self._decoder.junk - junk)
         if frames:
-            self._frame_t = t
+            self._watch.accept(t, len(frames))
+            self._measure_rate(frames[-1])
         return True
+
+    def _measure_rate(self, newest: SensorFrame) -> None:
+        """Take in the newest frame: by the board's count and clock, or by ours where lines have neither."""
+        if self._config.format == "frames":
+            self._rate.add(newest.seq, newest.t_device)
+        else:
+            self._rate.add(self._watch.accepted + self._decoder.junk, newest.t)
 
     def _lose_line(self) -> None:
         """Close the port of a line that was pulled out, and begin to open it again."""
@@ -207,10 +261,17 @@ class SerialShirt:
 
 
 class _Reopening(threading.Thread):
-    """Opens a lost line again once it is back; in a thread, because an opening may wait for the device."""
+    """Opens a lost line again once it is back; in a thread, because an opening may wait for the device.
+
+    Attributes
+    ----------
+    others : list of str
+        The lines that were there at the newest try.
+    """
 
     def __init__(self, config: SerialConfig) -> None:
         super().__init__(name="reopens the serial line", daemon=True)
+        self.others: list[str] = []
         self._config = config
         self._lock = threading.Lock()
         self._ended = threading.Event()
@@ -221,7 +282,9 @@ class _Reopening(threading.Thread):
         while not self._ended.wait(REOPEN_AFTER):
             try:
                 port = open_line(self._config)
-            except Exception:  # noqa: S112  # whatever the line raises, it is tried again
+            except Exception:  # whatever the line raises, it is tried again
+                with suppress(Exception):
+                    self.others = cables()
                 continue
             with self._lock:
                 if not self._ended.is_set():
@@ -240,6 +303,13 @@ class _Reopening(threading.Thread):
         with self._lock:
             self._ended.set()
         _close_port(self.take_port())
+
+
+def cables() -> list[str]:
+    """Return the names of the serial lines of this machine, without those of radios."""
+    from serial.tools.list_ports import comports  # noqa: PLC0415  # as in open_line
+
+    return sorted(port.device for port in comports() if not port.device.startswith("/dev/rfcomm"))
 
 
 def open_line(config: SerialConfig) -> "Serial":

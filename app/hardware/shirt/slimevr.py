@@ -7,20 +7,22 @@ from typing import Annotated, Final, Literal, Self
 
 from pydantic import model_validator
 
+from app.arrivals import Arrivals, ArrivalVerdict
 from app.clock import Clock
 from app.hardware.addresses import Host
-from app.hardware.shirt.kind import FieldTexts, ShirtKind, Trust, page_texts
+from app.hardware.shirt.kind import FieldTexts, ShirtKind, SourceFacts, Trust, page_texts
 from app.hardware.shirt.placed_sensors import PlacedSensorsConfig, PlacedSensorsShirt
-from app.hardware.shirt.sender_choice import SenderChoice
+from app.hardware.shirt.sender_choice import SenderChoice, address_text
 from app.hardware.shirt.slimevr_packets import LONGEST
 from app.hardware.shirt.slimevr_trackers import FLEX_MARK, SlimeTrackers, sensor_name
-from app.hardware.shirt.udp_socket import bound_socket
+from app.hardware.shirt.udp_socket import bound_socket, reach_of
 from app.ports import SLIMEVR_PORT
 from app.quantities import Port
 from app.texts import Text
 
 BEAT_EVERY: Final = 1.0  # s: a tracker gives up after 3 s without a packet
 AT_ONCE: Final = 256  # datagrams after which a flood no longer delays a frame
+FOREIGN_TRACKER: Final = Text("arrivals-no-tracker")
 _NAME: Final = re.compile(r"(?P<mac>[0-9A-F]{2}(:[0-9A-F]{2}){5})(/(?P<sensor>[0-9]{1,3}))?(?P<flex>/FLEX)?")
 
 
@@ -31,6 +33,9 @@ class SlimeVrConfig(PlacedSensorsConfig):
         Text("shirtdev-slimevr-title"),
         about=Text("shirtdev-slimevr-about"),
         in_use=Text("shirtdev-slimevr-in-use", port="{port}"),
+        facts=SourceFacts(
+            Text("shirtdev-slimevr-needs"), Text("shirtdev-slimevr-costs"), Text("shirtdev-slimevr-takes")
+        ),
     )
 
     kind: Literal["slimevr"]
@@ -73,7 +78,8 @@ class SlimeVrShirt(PlacedSensorsShirt):
     def _begin(self) -> None:
         """Forget everything that was received."""
         super()._begin()
-        self._trackers = SlimeTrackers({name: part for part, name in self._sensors.items()}, self._frames)
+        places = {name: part for part, name in self._sensors.items()}
+        self._trackers = SlimeTrackers(places, self._frames, self._watch)
         self._beat_t = self._clock.now()
 
     @property
@@ -128,6 +134,27 @@ class SlimeVrShirt(PlacedSensorsShirt):
             low=self._trackers.low(self._clock.now()),
             found=Text("shirtdev-slimevr-found", sensors=found) if found else None,
         )
+
+    def arrivals(self) -> Arrivals:
+        """Return what arrives at the socket."""
+        if self._socket is None:
+            return Arrivals("gone", self.description())
+        (host, port), newest, choice = self.address, self._watch.newest, self.sender_choice
+        reach = reach_of(self._socket)
+        reasons: dict[ArrivalVerdict, Text] = {
+            "nothing": Text("arrivals-slimevr-nothing", place=f"{host}:{port}", port=port, reach=reach),
+            "idle": Text("arrivals-slimevr-idle"),
+        }
+        if newest.sender is not None:
+            sender = address_text(newest.sender)
+            reasons["foreign"] = Text(
+                "arrivals-foreign", count=self._trackers.junk, size=newest.size, sender=sender, why=FOREIGN_TRACKER
+            )
+        if choice.other:
+            reasons["senders"] = Text("arrivals-senders", sender=choice.name, stranger=choice.other)
+        if found := self.found:
+            reasons["unplaced"] = Text("shirtdev-slimevr-found", sensors=found)
+        return self._arrivals(reasons)
 
     def close(self) -> None:
         """Close the socket; closing twice does no harm."""

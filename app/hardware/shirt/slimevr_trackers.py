@@ -4,6 +4,7 @@ from collections.abc import Mapping
 from dataclasses import dataclass, field
 from typing import Final
 
+from app.hardware.shirt.arrival_watch import PATIENCE, ArrivalWatch, LeftOut
 from app.hardware.shirt.frame_order import Sequence
 from app.hardware.shirt.orientation_frames import OrientationFrames
 from app.hardware.shirt.sender_choice import SHIRT_SENDER_SILENCE, Address, SenderChoice
@@ -61,12 +62,16 @@ class SlimeTrackers:
         Packets that came again, or after a newer one.
     """
 
-    def __init__(self, places: Mapping[str, str], frames: OrientationFrames) -> None:
-        """Take the names of sensors (`sensor_name`) with the part of the body (of PARTS) that each is on."""
+    def __init__(self, places: Mapping[str, str], frames: OrientationFrames, watch: ArrivalWatch) -> None:
+        """Take the names of sensors (`sensor_name`) with the part of the body (of PARTS) that each is on.
+
+        `watch` counts what arrives.
+        """
         self.junk = 0
         self.repeated = 0
         self._places = places
         self._frames = frames
+        self._watch = watch
         self._placed = {name.partition("/")[0] for name in places}
         self._trackers: dict[str, _Tracker] = {}
         self._by_address: dict[Address, _Tracker] = {}
@@ -76,11 +81,17 @@ class SlimeTrackers:
         packet = read_packet(datagram)
         if packet is None:
             self.junk += 1
+            self._watch.leave_out(LeftOut(t, "foreign", len(datagram), address))
             return None
         if isinstance(packet.content, TrackerHandshake):
-            return HANDSHAKE_REPLY if self._greet(packet.content.mac, address, t) else None
+            if self._greet(packet.content.mac, address, t):
+                self._notice_life(t)
+                return HANDSHAKE_REPLY
+            self._watch.leave_out(LeftOut(t, "senders"))
+            return None
         tracker = self._by_address.get(address)
         if tracker is None or not self._is_next(tracker, packet):
+            self._notice_life(t)
             return None  # a tracker that nobody answers greets after three seconds
         tracker.newest_t = t
         return self._take(tracker, packet, t)
@@ -169,7 +180,7 @@ class SlimeTrackers:
     def _take(self, tracker: _Tracker, packet: TrackerPacket, t: float) -> bytes | None:
         match packet.content:
             case TrackerRotation(sensor, orientation):
-                part = self._place(tracker, sensor_name(tracker.mac, sensor))
+                part = self._place(tracker, sensor_name(tracker.mac, sensor), t)
                 if part is not None:
                     self._frames.take_orientation(part, orientation, t)
             case TrackerAcceleration(sensor):
@@ -177,18 +188,30 @@ class SlimeTrackers:
                 if part is not None:
                     self._frames.take_sign(part, t)
             case TrackerFlex(sensor, value):
-                part = self._place(tracker, sensor_name(tracker.mac, sensor, is_flex=True))
+                part = self._place(tracker, sensor_name(tracker.mac, sensor, is_flex=True), t)
                 if part is not None:
                     self._frames.take_bend(part, value, t)
             case TrackerBattery(share):
                 tracker.battery = share
+                self._notice_life(t)
             case TrackerSensor() as report:
+                self._notice_life(t)
                 return sensor_acknowledgement(report)
+            case None:
+                self._notice_life(t)
         return None
 
-    def _place(self, tracker: _Tracker, name: str) -> str | None:
+    def _place(self, tracker: _Tracker, name: str, t: float) -> str | None:
         """Return the part of the body that a sensor is on; None, and offer it, when it is on none."""
         part = self._places.get(name)
         if part is None:
             tracker.unplaced.add(name)
+            self._watch.leave_out(LeftOut(t, "unplaced"))
+        else:
+            self._watch.accept(t)
         return part
+
+    def _notice_life(self, t: float) -> None:
+        """Note that a tracker lives, unless something else that is left out says more."""
+        if self._watch.newest.reason == "idle" or t - self._watch.newest.t >= PATIENCE:
+            self._watch.leave_out(LeftOut(t, "idle"), count=0)

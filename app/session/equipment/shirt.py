@@ -6,6 +6,7 @@ from typing import Literal
 
 from pydantic import ValidationError
 
+from app.arrivals import Arrivals, arrivals_from
 from app.hardware.configs import SHIRTS
 from app.json_values import JsonDocument
 from app.layout import ShirtLayout
@@ -58,6 +59,7 @@ class Equipment(ClinicChoice):
         self.state: Text | str = ""  # of the shirt, in words, as of the last `refresh`
         self.silent = False  # whether there was a shirt then that sent nothing
         self.found: list[str] = []  # names of the sensors that it had found then, and that nobody has placed
+        self.arrivals: Arrivals | None = None  # at the shirt, as of the last `refresh`; None: it does not say
         self.mistrust: Text | str | None = NO_SHIRT  # why the shirt arms no real chair, None when it may
 
     async def open(self) -> None:
@@ -141,6 +143,7 @@ class Equipment(ClinicChoice):
         before = self.silent, self.found
         self.silent = self.layout is not None and bool(shirt["silent"])
         self.found = list(shirt.get("found") or ())
+        self.arrivals = arrivals_from(shirt.get("arrivals"))
         self.state = from_document(shirt["words"])
         if (self.silent, self.found) != before:
             self._notify(News(what="equipment"))

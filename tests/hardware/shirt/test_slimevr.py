@@ -78,7 +78,7 @@ def test_a_flood_does_not_hold_up_the_frames(source):
 
 def test_a_second_program_on_the_port_is_one_sentence(source):
     config = SlimeVrConfig(kind="slimevr", host="127.0.0.1", port=source.shirt.address[1])
-    with pytest.raises(HardwareError, match=r"cannot be received on 127.0.0.1:\d+ .*: use an address"):
+    with pytest.raises(HardwareError, match=r"cannot be received on 127.0.0.1:\d+ .*: end the other program"):
         SlimeVrShirt(config, FakeClock()).open()
 
 

@@ -10,6 +10,7 @@ import pytest
 from fake_clock import FakeClock
 from hardware.shirt.slime_tracker import SlimeTracker
 
+from app.hardware.shirt.arrival_watch import ArrivalWatch
 from app.hardware.shirt.orientation import exponential
 from app.hardware.shirt.orientation_frames import REST_TIME, OrientationFrames
 from app.hardware.shirt.placed_sensors import FrameGrid
@@ -28,7 +29,7 @@ class Room:
     def __init__(self, places, loss=0.0, jitter=0.0, seed=1):
         flex = [part for name, part in places.items() if name.endswith("/flex")]
         self.frames = OrientationFrames(places.values(), flex, RATE, from_neighbour=False)
-        self.server = SlimeTrackers(places, self.frames)
+        self.server = SlimeTrackers(places, self.frames, ArrivalWatch())
         self.clock = FakeClock(1000.0)
         self.grid = FrameGrid(self.clock, RATE)
         self.trackers = {}

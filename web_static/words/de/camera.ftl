@@ -32,4 +32,4 @@ camera-denied = Der Browser erlaubt die Kamera nicht: Erlauben Sie sie für dies
 camera-busy = Ein anderes Programm verwendet die Kamera: Schließen Sie es, und starten Sie die Kamera noch einmal.
 camera-failed = Die Bilder der Kamera können nicht gelesen werden: Laden Sie diese Seite neu, oder verwenden Sie ein aktuelles Chrome, Edge, Firefox oder Safari.
 camera-taken = Eine andere Seite ist die Kamera: Beenden Sie sie zuerst dort.
-camera-unwanted = Die Kamera ist nicht das verwendete Shirt: Wählen Sie sie unter „Quelle“.
+camera-unwanted = Die Kamera ist nicht das verwendete Shirt: Wählen Sie sie auf der Seite „Shirt“.

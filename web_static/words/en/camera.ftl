@@ -32,4 +32,4 @@ camera-denied = The browser does not permit the camera: permit it for this page 
 camera-busy = Another program uses the camera: close it, and start the camera again.
 camera-failed = The camera’s pictures cannot be read: load this page again, or use a current Chrome, Edge, Firefox or Safari.
 camera-taken = Another page is the camera: stop it there first.
-camera-unwanted = The camera is not the shirt in use: choose it under Source.
+camera-unwanted = The camera is not the shirt in use: choose it on the Shirt page.

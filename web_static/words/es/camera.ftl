@@ -32,4 +32,4 @@ camera-denied = El navegador no permite la cámara: permítala para esta página
 camera-busy = Otro programa usa la cámara: ciérrelo e inicie la cámara de nuevo.
 camera-failed = Las imágenes de la cámara no se pueden leer: cargue de nuevo esta página o use un Chrome, Edge, Firefox o Safari actual.
 camera-taken = Otra página es la cámara: deténgala primero allí.
-camera-unwanted = La cámara no es la camiseta en uso: elíjala en Origen.
+camera-unwanted = La cámara no es la camiseta en uso: elíjala en la página Camiseta.

@@ -134,14 +134,14 @@ function Foot({ store }) {
       { class: "grow" },
       way ? h("b", {}, way.message) : bodyWords(equipment.value),
       " ",
-      mayDrive &&
-        !obstacle.value &&
-        shirt?.kind === "simulator" &&
-        h("a", { class: "btn bare small", href: "#/shirt" }, t("drive-body-change")),
       app.me?.demo &&
         mayDrive &&
         shirt?.kind === "simulator" &&
         h("button", { type: "button", class: "btn bare small", onClick: () => moveByCamera(app) }, t("drive-camera")),
+      mayDrive &&
+        !obstacle.value &&
+        shirt?.kind === "simulator" &&
+        h("a", { class: "btn bare small", href: "#/shirt" }, t("drive-body-change")),
     ),
     h("a", { class: "btn", href: taskLink("tasks", choice.value.task) }, t("drive-choose")),
     mayDrive && way && h("a", { class: "btn go large", href: way.href }, way.go),

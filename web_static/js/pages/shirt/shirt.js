@@ -1,5 +1,5 @@
 /**
- * The shirt: where its signals come from, who is inside, and how every sensor is.
+ * The shirt: where the movements come from, who is inside, and how every sensor is.
  * @import { ShirtLayout } from "types/api"
  * @import { ShirtKind } from "types/documents"
  * @import { ShirtStore } from "./store.js"
@@ -14,6 +14,7 @@ import { BodyLamps, LampPicture, QUALITIES } from "./lamps.js";
 import { Made } from "../../widgets/made.js";
 import { pads } from "../../widgets/pads.js";
 import { SensorCard } from "./sensor_card.js";
+import { Spoken } from "./spoken.js";
 import { shirtStore } from "./store.js";
 import { t } from "../../texts.js";
 
@@ -25,42 +26,41 @@ export async function show(app, root, { signal: left }) {
   const [view, kinds] = await Promise.all([app.api.get("/equipment"), app.api.get("/equipment/shirts")]);
   if (left.aborted) return;
   const store = shirtStore(app, view, /** @type {ShirtKind[]} */ (kinds), left);
-  drawPage(root, h(Page, { store, isShirtFirst: view.shirt !== null }));
+  drawPage(root, h(Page, { store }));
   drawFoot(root, h(Foot, { store }));
 }
 
-/** @param {{store: ShirtStore, isShirtFirst: boolean}} page isShirtFirst: otherwise the cards are on the first side */
-function Page({ store, isShirtFirst }) {
-  const sides = [h(Sensors, { key: "sensors", store }), h(Cards, { key: "cards", store })];
+/** @param {{store: ShirtStore}} page */
+function Page({ store }) {
   return h(
     Fragment,
     {},
     h("h1", { tabindex: -1 }, t("shirt-title")),
     h(State, { store }),
-    // Without a shirt, first the one thing to do; it keeps its side when one has been chosen.
-    h("div", { class: "shirt-columns" }, isShirtFirst ? sides : sides.reverse()),
+    h(SourceCard, { store }),
+    h("div", { class: "shirt-columns" }, h(Sensors, { store }), h(Cards, { store })),
     h(Signals, { store }),
   );
 }
 
 /** @param {{store: ShirtStore}} words */
-function State({ store: { live, state } }) {
-  const { sentence, isNews } = state.value;
-  const { qualities, lost } = live.value;
+function State({ store: { live, sentence } }) {
+  const { qualities, lost, arrivals } = live.value;
   const all = qualities.length;
   const good = qualities.filter((quality) => quality === "good").length;
+  const isSaidBelow = arrivals?.verdict === "unopened"; // with what to do
   const figures = [all ? t("shirt-words-count", { good, all }) : "", lost ? t("shirt-lost", { count: lost }) : ""];
   return h(
     "p",
     { class: "lead" },
-    h("span", { "aria-live": isNews ? "polite" : "off" }, sentence), // a screen reader is silent about figures that count
+    !isSaidBelow && h(Spoken, { words: sentence.value }),
     " ",
     h("span", {}, figures.filter(Boolean).join(" ")),
   );
 }
 
 /** @param {{store: ShirtStore}} sensors */
-function Sensors({ store: { equipment, live, picked } }) {
+function Sensors({ store: { equipment, live, moving, picked } }) {
   const layout = equipment.value.layout ?? NO_LAYOUT;
   return h(
     "div",
@@ -77,6 +77,7 @@ function Sensors({ store: { equipment, live, picked } }) {
       h(BodyLamps, {
         layout,
         qualities: live.value.qualities,
+        moving: moving.value,
         picked: picked.value,
         onPick: (name) => void (picked.value = name),
       }),
@@ -106,7 +107,6 @@ function Cards({ store }) {
         joint: jointWithin(joints.find((one) => one.name === joint) ?? { name: joint, label: joint }),
       }),
     kind === "camera" && h(CameraCard, { key: "camera" }),
-    h(SourceCard, { key: "source", store }),
     h(LayoutCard, { key: "layout", store }),
     kind === "simulator" && h(BodyCard, { key: "body", store }),
     h(HeadCard, { key: "head", store }),

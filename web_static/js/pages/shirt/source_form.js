@@ -1,5 +1,5 @@
 /**
- * Where the shirt's signals come from: the form, and the configuration that it makes.
+ * Where the movements come from: the form, and the configuration that it makes.
  * @import { ShirtLayout } from "types/api"
  * @import { Body } from "types/requests"
  * @import { ShirtStore } from "./store.js"
@@ -10,6 +10,7 @@ import { computed, Fragment, h, useLayoutEffect, useMemo, useRef, useSignal } fr
 import { t } from "../../texts.js";
 import { ChoiceForm } from "./choice_form.js";
 import { configFields } from "./config_fields.js";
+import { SourceChoices } from "./source_choices.js";
 
 /** In one line what is in use. @param {ShirtConfig | null} shirt @param {ShirtKind[]} shirts */
 export function sourceWords(shirt, shirts) {
@@ -23,7 +24,7 @@ export function SourceForm({ store: { app, kinds, equipment }, onUse }) {
   const first = useMemo(() => equipment.peek().shirt, []);
   const kind = useSignal(first?.kind ?? "");
   const layouts = useSignal(/** @type {ShirtLayout[]} */ ([]));
-  const button = useRef(/** @type {HTMLButtonElement | null} */ (null));
+  const settings = useRef(/** @type {HTMLDivElement | null} */ (null));
   useLayoutEffect(() => {
     if (app.me?.role === "reviewer") return; // who only looks sees no layouts
     app.api.get("/layouts").then(
@@ -45,25 +46,15 @@ export function SourceForm({ store: { app, kinds, equipment }, onUse }) {
     });
   }, [kind.value]);
   useLayoutEffect(() => {
-    if (kind.value !== (first?.kind ?? "")) button.current?.scrollIntoView({ block: "nearest" }); // it is the next step
+    // They are the next step. Of more than the window holds, their beginning comes into view.
+    if (kind.value !== (first?.kind ?? "")) settings.current?.scrollIntoView({ block: "nearest" });
   }, [kind.value]);
-  /** @param {boolean} isSimulated */
-  const offered = (isSimulated) =>
-    kinds
-      .filter(({ simulated }) => simulated === isSimulated)
-      .map(({ kind: value, form }) => ({ value, label: form.title, hint: form.description }));
   return h(
     ChoiceForm,
     {
-      label: t("source-title"),
-      options: [
-        { words: t("source-worn"), options: offered(false) },
-        { words: t("source-practice"), options: offered(true) },
-      ],
-      chosen: kind.value,
-      onChoose: (chosen) => (kind.value = chosen),
+      choices: h(SourceChoices, { kinds, chosen: kind.value, onChoose: (chosen) => void (kind.value = chosen) }),
       onUse: async () => void (parts && (await onUse(/** @type {ShirtRequest} */ (await parts.config())))),
-      button,
+      place: settings,
       isReady: parts !== null,
     },
     h(Fragment, { key: kind.value }, parts?.fields),

@@ -5,10 +5,12 @@
  * @typedef {ReturnType<typeof shirtStore>} ShirtStore
  */
 import { failureWords } from "../../api.js";
+import { QUIET_SPAN } from "../../charts/joint_strips.js";
 import { concerns } from "../../live/news.js";
 import { signal } from "../../preact.js";
 import { t } from "../../texts.js";
 import { replacedList } from "../../widgets/replaced_list.js";
+import { movingChannels } from "./moving_channels.js";
 
 /**
  * @param {import("../../main.js").App} app @param {EquipmentView} first @param {ShirtKind[]} kinds the shirts to choose from
@@ -20,21 +22,18 @@ export function shirtStore(app, first, kinds, left) {
     qualities: app.live.quality,
     noise: app.live.noise,
     lost: app.live.latest?.shirt.lost ?? 0,
+    arrivals: app.live.arrivals,
     isSending: app.live.present?.shirt.alive !== false,
     session: app.session,
   });
   const live = signal(readLive());
-  /** The state of the shirt. `isNews`: it says something else than before, not only other figures. */
-  const state = signal({ sentence: "", isNews: false });
+  const sentence = signal(""); // the state of the shirt
+  const moving = signal(/** @type {number[]} */ ([])); // indices of the channels that move, the strongest first
   const picked = signal(""); // name of a channel
   const read = async () => take(await app.api.get("/equipment"));
   const replaced = replacedList(app, ["file"], read);
   /** @param {string} words */
-  const setState = (words) => {
-    const sentence = equipment.value.shirt ? words : t("shirt-none");
-    const isNews = withoutFigures(sentence) !== withoutFigures(state.value.sentence);
-    state.value = { sentence, isNews };
-  };
+  const setState = (words) => void (sentence.value = equipment.value.shirt ? words : t("shirt-none"));
   /** @param {EquipmentView} view */
   const take = (view) => {
     equipment.value = /** @type {Equipment} */ (view);
@@ -52,8 +51,16 @@ export function shirtStore(app, first, kinds, left) {
     }
   };
   const follow = () => void (live.value = readLive());
+  const findMoving = movingChannels();
+  /** @param {import("../../live/live.js").LiveMessage} now */
+  const followMovement = ({ t: now, values, shirt }) => {
+    const floors = app.live.noise.map((noise) => QUIET_SPAN * (noise ?? 0));
+    const found = shirt.alive && values && now !== null ? findMoving(now, values, floors) : [];
+    if (String(found) !== String(moving.peek())) moving.value = found;
+  };
   setState(first.status.message);
   app.live.addEventListener("quality", () => (follow(), setState(app.live.shirtWords)), { signal: left });
+  app.live.addEventListener("tick", ({ detail }) => followMovement(detail), { signal: left });
   app.addEventListener("session", follow, { signal: left });
   app.live.addEventListener(
     "changed",
@@ -62,8 +69,5 @@ export function shirtStore(app, first, kinds, left) {
   );
   app.addEventListener("equipment", ({ detail }) => take(detail), { signal: left });
   const { ReplacedList } = replaced;
-  return { app, left, kinds, equipment, live, state, picked, ReplacedList, take, setUnused };
+  return { app, left, kinds, equipment, live, sentence, moving, picked, ReplacedList, take, setUnused };
 }
-
-/** @param {string} words */
-const withoutFigures = (words) => words.replace(/\d+/g, "");

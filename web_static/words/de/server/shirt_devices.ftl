@@ -2,6 +2,12 @@
 
 ## The form of each kind of shirt: its title, what it is, how it is named when it is in use, its fields.
 
+# Whether a kind of shirt may drive a real chair, where shirts are chosen.
+shirtdev-chair-wired = Darf einen echten Rollstuhl fahren, denn nur das Shirt ist an seinem Kabel.
+shirtdev-chair-with-key = Darf einen echten Rollstuhl nur mit Schlüssel fahren, denn sonst könnte jedes Gerät im Netz senden.
+shirtdev-chair-nobody-wears = Fährt nie einen echten Rollstuhl, denn niemand trägt es.
+shirtdev-chair-nobody-proves = Fährt nie einen echten Rollstuhl, denn nichts belegt, wessen Bewegungen es sind.
+# What a kind -needs and -costs, and how long it -takes, stands in source-needs, source-costs, source-takes of shirt.ftl.
 shirtdev-rate = Datenpakete pro Sekunde
 shirtdev-file = Datei
 shirtdev-key = Schlüssel
@@ -13,6 +19,9 @@ shirtdev-layout-hint = Eine JSON-Datei, die die Sensoren benennt. Ohne Datei ble
 shirtdev-simulator-title = Simuliertes Shirt
 shirtdev-simulator-about = Ein Stoff mit 52 Sensoren, berechnet aus dem Körper darin.
 shirtdev-simulator-in-use = Simuliertes Shirt, { $rate } Datenpakete pro Sekunde
+shirtdev-simulator-needs = nichts weiter
+shirtdev-simulator-costs = nichts
+shirtdev-simulator-takes = keinen Augenblick: Es bewegt sich sofort
 # A number from 1 to 999; each is a shirt with other sensors.
 shirtdev-simulator-seed = Welches simulierte Shirt
 shirtdev-simulator-sensors = Seine Sensoren
@@ -21,11 +30,17 @@ shirtdev-simulator-two-dead = Zwei sind defekt
 shirtdev-replay-title = Wiedergabe einer Datei
 shirtdev-replay-about = Früher aufgezeichnete Signale, abgespielt, als kämen sie jetzt.
 shirtdev-replay-in-use = Wiedergabe von { $file }
+shirtdev-replay-needs = eine Aufzeichnung dieses Programms oder eine Datei mit Signalen (CSV oder Parquet)
+shirtdev-replay-costs = nichts
+shirtdev-replay-takes = eine Minute
 shirtdev-replay-loop = Am Ende von vorn beginnen
 shirtdev-replay-layout-hint = Eine JSON-Datei, die die Spalten benennt, nach ihren Namen oder in ihrer Reihenfolge. Ohne Datei sagen die Spalten ihr Gelenk, etwa right_elbow_1.
 shirtdev-serial-title = Ein Shirt am Kabel
 shirtdev-serial-about = Eine Platine, etwa ein Arduino, die ihre Sensoren über USB oder eine andere serielle Schnittstelle sendet.
 shirtdev-serial-in-use = Shirt am Kabel an { $device }
+shirtdev-serial-needs = ein Shirt mit Dehnungssensoren, eine Platine, etwa ein Arduino, und ein USB-Kabel
+shirtdev-serial-costs = etwa 100 bis 150 €
+shirtdev-serial-takes = einen Nachmittag für den Bau, dann eine Minute, dann die Kalibrierung
 shirtdev-serial-device = Serielle Schnittstelle
 shirtdev-serial-device-hint = So, wie das System sie nennt. Ein Name unter /dev/serial/by-id/ bleibt gleich, wenn das Kabel neu eingesteckt wird.
 shirtdev-serial-baud = Baudrate
@@ -36,6 +51,9 @@ shirtdev-serial-format-lines = Einfache Zeilen mit Zahlen
 shirtdev-udp-title = Ein Shirt über das Netz
 shirtdev-udp-about = Datenpakete, die über UDP auf diesem Rechner ankommen.
 shirtdev-udp-in-use = Shirt über das Netz auf Port { $port }
+shirtdev-udp-needs = ein Shirt, das Datenpakete über UDP sendet, im Netz dieses Rechners
+shirtdev-udp-costs = so viel wie das Shirt
+shirtdev-udp-takes = eine Minute und eine weitere für das Koppeln des Schlüssels, dann die Kalibrierung
 # An address of this machine.
 shirtdev-udp-host = Empfangen auf
 shirtdev-udp-port = Port
@@ -43,6 +61,9 @@ shirtdev-udp-port = Port
 shirtdev-slimevr-title = Tracker (SlimeVR)
 shirtdev-slimevr-about = Kleine Lagesensoren an Körperteilen, über das Funknetz; auch Telefone mit owoTrack.
 shirtdev-slimevr-in-use = Tracker auf Port { $port }
+shirtdev-slimevr-needs = zwei oder mehr Tracker, Gurte und das Funknetz dieses Rechners
+shirtdev-slimevr-costs = etwa 30 bis 60 € je Tracker
+shirtdev-slimevr-takes = eine Minute, sobald die Tracker im Netz sind, dann die Kalibrierung
 shirtdev-slimevr-host-hint = 0.0.0.0 steht für alle Netze dieses Rechners: Dort suchen ihn die Tracker.
 shirtdev-trunk-hint = Sensoren, die senden, stehen zur Wahl. Kopf, Oberarme und Oberschenkel werden von diesem aus gemessen.
 shirtdev-chair-hint = Ohne Sensor am Rumpf tritt dieser an dessen Stelle.
@@ -96,14 +117,23 @@ shirtdev-brainflow-layout-hint = Eine JSON-Datei, die die Sensoren benennt. Ohne
 shirtdev-phones-title = Telefone als Sensoren
 shirtdev-phones-about = Bis zu sechs Telefone oder Tablets, an Körperteile gebunden, zeigen, wie sich diese drehen. Jedes öffnet eine Seite und sendet; installiert wird nichts.
 shirtdev-phones-in-use = Telefone, { $rate } Datenpakete pro Sekunde
+shirtdev-phones-needs = ein bis sechs Telefone oder Tablets mit einem aktuellen Browser und etwas, das sie festhält; Seiten über https
+shirtdev-phones-costs = nichts, wo es solche Geräte gibt; ein Armband etwa 10 €
+shirtdev-phones-takes = eine Minute je Telefon, dann die Kalibrierung
 shirtdev-camera-title = Eine Kamera
-shirtdev-camera-about = Die Kamera eines Tablets, Laptops oder Telefons folgt dem Oberkörper; niemand trägt etwas. Ihr Bild bleibt im Browser. Sie gibt keinen echten Rollstuhl frei.
+shirtdev-camera-about = Die Kamera eines Tablets, Laptops oder Telefons folgt dem Oberkörper; niemand trägt etwas. Ihr Bild bleibt im Browser.
 shirtdev-camera-in-use = Kamera, { $rate } Datenpakete pro Sekunde
+shirtdev-camera-needs = ein Gerät mit Kamera und einem aktuellen Browser und Licht von vorn; eine Seite über https oder auf diesem Rechner selbst
+shirtdev-camera-costs = nichts, wo es ein solches Gerät gibt
+shirtdev-camera-takes = ein bis zwei Minuten, dann die Kalibrierung
 shirtdev-camera-rate-hint = Wählen Sie weniger, wenn das Gerät nicht mitkommt.
 # LSL is the Lab Streaming Layer, a network protocol of laboratories.
 shirtdev-lsl-title = Datenströme des Lab Streaming Layer
 shirtdev-lsl-about = LSL: Verstärker, Bewegungserfassung und andere Geräte eines Labors.
 shirtdev-lsl-in-use = LSL-Datenströme
+shirtdev-lsl-needs = ein Gerät oder Programm, das Zahlen über LSL sendet, im Netz dieses Rechners
+shirtdev-lsl-costs = nichts, wo es ein solches Gerät gibt
+shirtdev-lsl-takes = eine Minute, dann die Kalibrierung
 shirtdev-lsl-name = Name des Datenstroms
 shirtdev-lsl-name-hint = Lassen Sie leer, was keine Rolle spielt. Mehrere Werte, durch Kommas getrennt, verbinden ebenso viele Datenströme.
 # What names the device that sends the stream.
@@ -159,10 +189,13 @@ shirtdev-recording-rate = { $folder }: in dieser Aufzeichnung steht nicht, mit w
 shirtdev-file-columns = { $file }: seine Spalten ergeben kein Layout
 shirtdev-recording-layout = { $folder }: das Layout des Shirts in dieser Aufzeichnung
 
-# $why is the reason that the system gives.
+# $why is the reason that the system gives, $lines a list of serial lines that are there.
 shirtdev-serial-failed =
     { $cause ->
-        [missing] das Shirt an { $device } lässt sich nicht öffnen ({ $why }); stecken Sie sein Kabel ein, oder wählen Sie den Namen, den die Schnittstelle jetzt hat
+        [missing] das Shirt an { $device } lässt sich nicht öffnen ({ $why }); stecken Sie sein Kabel ein{ $lines ->
+            [none] {""}
+           *[other] , oder wählen Sie den Namen, den die Schnittstelle jetzt hat: { $lines }
+        }
         [forbidden] das Shirt an { $device } lässt sich nicht öffnen ({ $why }); erlauben Sie diesem Programm serielle Schnittstellen, auf den meisten Systemen durch die Gruppe dialout für sein Konto
         [busy] das Shirt an { $device } lässt sich nicht öffnen ({ $why }); beenden Sie das andere Programm, das es verwendet
        *[other] das Shirt an { $device } lässt sich nicht öffnen ({ $why }); prüfen Sie Kabel und Baudrate
@@ -191,7 +224,13 @@ shirtdev-serial =
 # $problem is a message device-key-...
 shirtdev-not-opened = das Shirt lässt sich nicht verwenden: { $problem }
 shirtdev-udp-no-address = das Shirt lässt sich auf { $host } nicht empfangen, das ist keine Adresse; korrigieren Sie sie
-shirtdev-udp-failed = das Shirt lässt sich auf { $place } nicht empfangen ({ $why }); verwenden Sie eine Adresse dieses Rechners und einen freien Port
+shirtdev-udp-failed =
+    { $cause ->
+        [taken] das Shirt lässt sich auf { $place } nicht empfangen ({ $why }); beenden Sie das andere Programm, das dort empfängt, oder verwenden Sie einen freien Port
+        [forbidden] das Shirt lässt sich auf { $place } nicht empfangen ({ $why }); verwenden Sie einen Port ab 1024
+        [elsewhere] das Shirt lässt sich auf { $place } nicht empfangen ({ $why }); verwenden Sie eine Adresse dieses Rechners oder 0.0.0.0 für alle
+       *[other] das Shirt lässt sich auf { $place } nicht empfangen ({ $why }); verwenden Sie eine Adresse dieses Rechners und einen freien Port
+    }
 # $trouble is a message shirtdev-newest-not-stored or shirtdev-frame-...
 shirtdev-udp-closed =
     Der Empfang des Shirts ist aus{ $trouble ->

@@ -2,6 +2,12 @@
 
 ## The form of each kind of shirt: its title, what it is, how it is named when it is in use, its fields.
 
+# Whether a kind of shirt may drive a real chair, where shirts are chosen.
+shirtdev-chair-wired = May drive a real chair, for nobody but the shirt is on its cable.
+shirtdev-chair-with-key = May drive a real chair with a key only, for otherwise anybody on the network could send.
+shirtdev-chair-nobody-wears = Never drives a real chair, for nobody wears it.
+shirtdev-chair-nobody-proves = Never drives a real chair, for nothing proves whose movements it shows.
+# What a kind -needs and -costs, and how long it -takes, stands in source-needs, source-costs, source-takes of shirt.ftl.
 shirtdev-rate = Frames a second
 shirtdev-file = File
 shirtdev-key = Key
@@ -13,6 +19,9 @@ shirtdev-layout-hint = A JSON file that names the sensors. Without one, the layo
 shirtdev-simulator-title = Simulated shirt
 shirtdev-simulator-about = A fabric with 52 sensors, calculated from the body inside it.
 shirtdev-simulator-in-use = Simulated shirt, { $rate } frames a second
+shirtdev-simulator-needs = nothing else
+shirtdev-simulator-costs = nothing
+shirtdev-simulator-takes = no time: it moves at once
 # A number from 1 to 999; each is a shirt with other sensors.
 shirtdev-simulator-seed = Which simulated shirt
 shirtdev-simulator-sensors = Its sensors
@@ -21,11 +30,17 @@ shirtdev-simulator-two-dead = Two are dead
 shirtdev-replay-title = Replay of a file
 shirtdev-replay-about = Signals that were recorded before, played as if they came now.
 shirtdev-replay-in-use = Replay of { $file }
+shirtdev-replay-needs = a recording of this program, or a file of signals (CSV or Parquet)
+shirtdev-replay-costs = nothing
+shirtdev-replay-takes = a minute
 shirtdev-replay-loop = Begin again at the end
 shirtdev-replay-layout-hint = A JSON file that names the columns, by their names or in their order. Without one, the columns say their joints, such as right_elbow_1.
 shirtdev-serial-title = A shirt on a cable
 shirtdev-serial-about = A board, such as an Arduino, that sends its sensors over USB or another serial line.
 shirtdev-serial-in-use = Shirt on the cable at { $device }
+shirtdev-serial-needs = a shirt with stretch sensors, a board such as an Arduino, and a USB cable
+shirtdev-serial-costs = about €100 to 150
+shirtdev-serial-takes = an afternoon to build, then a minute, then the calibration
 shirtdev-serial-device = Serial line
 shirtdev-serial-device-hint = As the system names it. A name under /dev/serial/by-id/ stays the same when the cable is put in again.
 shirtdev-serial-baud = Baud rate
@@ -36,6 +51,9 @@ shirtdev-serial-format-lines = Plain lines of numbers
 shirtdev-udp-title = A shirt over the network
 shirtdev-udp-about = Frames that arrive by UDP on this machine.
 shirtdev-udp-in-use = Network shirt on port { $port }
+shirtdev-udp-needs = a shirt that sends frames by UDP, in the network of this machine
+shirtdev-udp-costs = what the shirt costs
+shirtdev-udp-takes = a minute, and another one to pair its key, then the calibration
 # An address of this machine.
 shirtdev-udp-host = Listen on
 shirtdev-udp-port = Port
@@ -43,6 +61,9 @@ shirtdev-udp-port = Port
 shirtdev-slimevr-title = Trackers (SlimeVR)
 shirtdev-slimevr-about = Small sensors of orientation on parts of the body, over the wireless network; phones with owoTrack, too.
 shirtdev-slimevr-in-use = Trackers on port { $port }
+shirtdev-slimevr-needs = two trackers or more, straps, and the wireless network of this machine
+shirtdev-slimevr-costs = about €30 to 60 for each tracker
+shirtdev-slimevr-takes = a minute after the trackers are in the network, then the calibration
 shirtdev-slimevr-host-hint = 0.0.0.0 is every network of this machine: trackers look for it there.
 shirtdev-trunk-hint = Sensors that send are offered. Head, upper arms and thighs are measured from this one.
 shirtdev-chair-hint = Without a sensor on the trunk, this one stands in for it.
@@ -96,14 +117,23 @@ shirtdev-brainflow-layout-hint = A JSON file that names the sensors. Without one
 shirtdev-phones-title = Phones as sensors
 shirtdev-phones-about = Up to six phones or tablets, tied to parts of the body, show how these turn. Each opens a page and sends; nothing is installed.
 shirtdev-phones-in-use = Phones, { $rate } frames a second
+shirtdev-phones-needs = one to six phones or tablets with a current browser, and something that ties them on; pages over https
+shirtdev-phones-costs = nothing, where there are such devices; an armband about €10
+shirtdev-phones-takes = a minute for each phone, then the calibration
 shirtdev-camera-title = A camera
-shirtdev-camera-about = The camera of a tablet, laptop or phone follows the upper body; nobody wears anything. Its picture stays in the browser. It arms no real chair.
+shirtdev-camera-about = The camera of a tablet, laptop or phone follows the upper body; nobody wears anything. Its picture stays in the browser.
 shirtdev-camera-in-use = Camera, { $rate } frames a second
+shirtdev-camera-needs = a device with a camera and a current browser, and light from the front; a page over https, or on this machine itself
+shirtdev-camera-costs = nothing, where there is such a device
+shirtdev-camera-takes = a minute or two, then the calibration
 shirtdev-camera-rate-hint = Choose fewer where the device does not keep up.
 # LSL is the Lab Streaming Layer, a network protocol of laboratories.
 shirtdev-lsl-title = Streams of the Lab Streaming Layer
 shirtdev-lsl-about = LSL: amplifiers, motion capture and other devices of a laboratory.
 shirtdev-lsl-in-use = LSL streams
+shirtdev-lsl-needs = a device or program that sends numbers by LSL, in the network of this machine
+shirtdev-lsl-costs = nothing, where there is such a device
+shirtdev-lsl-takes = a minute, then the calibration
 shirtdev-lsl-name = Name of the stream
 shirtdev-lsl-name-hint = Leave empty what does not matter. Several values, separated by commas, join as many streams.
 # What names the device that sends the stream.
@@ -159,10 +189,13 @@ shirtdev-recording-rate = { $folder }: this recording does not say its sample ra
 shirtdev-file-columns = { $file }: its columns make no layout
 shirtdev-recording-layout = { $folder }: the shirt's layout in this recording
 
-# $why is the reason that the system gives.
+# $why is the reason that the system gives, $lines a list of serial lines that are there.
 shirtdev-serial-failed =
     { $cause ->
-        [missing] the shirt on { $device } cannot be opened ({ $why }): put its cable in, or choose the name that the line has now
+        [missing] the shirt on { $device } cannot be opened ({ $why }): put its cable in{ $lines ->
+            [none] {""}
+           *[other] , or choose the name that the line has now: { $lines }
+        }
         [forbidden] the shirt on { $device } cannot be opened ({ $why }): let this program use serial lines, on most systems by adding its account to the group dialout
         [busy] the shirt on { $device } cannot be opened ({ $why }): end the other program that uses it
        *[other] the shirt on { $device } cannot be opened ({ $why }): check its cable and its baud rate
@@ -191,7 +224,13 @@ shirtdev-serial =
 # $problem is a message device-key-...
 shirtdev-not-opened = the shirt is not opened: { $problem }
 shirtdev-udp-no-address = the shirt cannot be received on { $host }: this is no address, correct it
-shirtdev-udp-failed = the shirt cannot be received on { $place } ({ $why }): use an address of this machine and a port that is free
+shirtdev-udp-failed =
+    { $cause ->
+        [taken] the shirt cannot be received on { $place } ({ $why }): end the other program that listens there, or use a port that is free
+        [forbidden] the shirt cannot be received on { $place } ({ $why }): use a port from 1024 up
+        [elsewhere] the shirt cannot be received on { $place } ({ $why }): use an address of this machine, or 0.0.0.0 for all of them
+       *[other] the shirt cannot be received on { $place } ({ $why }): use an address of this machine and a port that is free
+    }
 # $trouble is a message shirtdev-newest-not-stored or shirtdev-frame-...
 shirtdev-udp-closed =
     Nothing listens for the shirt{ $trouble ->

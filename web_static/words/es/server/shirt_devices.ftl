@@ -2,6 +2,12 @@
 
 ## The form of each kind of shirt: its title, what it is, how it is named when it is in use, its fields.
 
+# Whether a kind of shirt may drive a real chair, where shirts are chosen.
+shirtdev-chair-wired = Puede conducir una silla real, porque en su cable solo está la camiseta.
+shirtdev-chair-with-key = Puede conducir una silla real solo con clave, porque sin ella cualquiera en la red podría enviar.
+shirtdev-chair-nobody-wears = Nunca conduce una silla real, porque no la lleva nadie.
+shirtdev-chair-nobody-proves = Nunca conduce una silla real, porque nada demuestra de quién son los movimientos.
+# What a kind -needs and -costs, and how long it -takes, stands in source-needs, source-costs, source-takes of shirt.ftl.
 shirtdev-rate = Muestras por segundo
 shirtdev-file = Archivo
 shirtdev-key = Clave
@@ -13,6 +19,9 @@ shirtdev-layout-hint = Un archivo JSON que nombra los sensores. Sin él, se cons
 shirtdev-simulator-title = Camiseta simulada
 shirtdev-simulator-about = Un tejido con 52 sensores, calculado a partir del cuerpo que lo lleva.
 shirtdev-simulator-in-use = Camiseta simulada, { $rate } muestras por segundo
+shirtdev-simulator-needs = nada más
+shirtdev-simulator-costs = ninguno
+shirtdev-simulator-takes = ninguno, se mueve enseguida
 # A number from 1 to 999; each is a shirt with other sensors.
 shirtdev-simulator-seed = Qué camiseta simulada
 shirtdev-simulator-sensors = Sus sensores
@@ -21,11 +30,17 @@ shirtdev-simulator-two-dead = Dos están averiados
 shirtdev-replay-title = Reproducción de un archivo
 shirtdev-replay-about = Señales grabadas antes, que se reproducen como si llegaran ahora.
 shirtdev-replay-in-use = Reproducción de { $file }
+shirtdev-replay-needs = una grabación de este programa o un archivo de señales (CSV o Parquet)
+shirtdev-replay-costs = ninguno
+shirtdev-replay-takes = un minuto
 shirtdev-replay-loop = Empezar de nuevo al final
 shirtdev-replay-layout-hint = Un archivo JSON que nombra las columnas, por sus nombres o en su orden. Sin él, las columnas indican su articulación, como right_elbow_1.
 shirtdev-serial-title = Una camiseta con cable
 shirtdev-serial-about = Una placa, como un Arduino, que envía sus sensores por USB o por otra línea serie.
 shirtdev-serial-in-use = Camiseta con cable en { $device }
+shirtdev-serial-needs = una camiseta con sensores de estiramiento, una placa, como un Arduino, y un cable USB
+shirtdev-serial-costs = unos 100 a 150 €
+shirtdev-serial-takes = una tarde para construirla, después un minuto y luego la calibración
 shirtdev-serial-device = Línea serie
 shirtdev-serial-device-hint = Como la llama el sistema. Un nombre de /dev/serial/by-id/ no cambia al volver a conectar el cable.
 shirtdev-serial-baud = Baudios
@@ -36,6 +51,9 @@ shirtdev-serial-format-lines = Líneas sencillas de números
 shirtdev-udp-title = Una camiseta por la red
 shirtdev-udp-about = Muestras que llegan a este equipo por UDP.
 shirtdev-udp-in-use = Camiseta por la red en el puerto { $port }
+shirtdev-udp-needs = una camiseta que envía muestras por UDP, en la red de este equipo
+shirtdev-udp-costs = el de la camiseta
+shirtdev-udp-takes = un minuto, otro para vincular su clave y luego la calibración
 # An address of this machine.
 shirtdev-udp-host = Escuchar en
 shirtdev-udp-port = Puerto
@@ -43,6 +61,9 @@ shirtdev-udp-port = Puerto
 shirtdev-slimevr-title = Rastreadores (SlimeVR)
 shirtdev-slimevr-about = Pequeños sensores de orientación en partes del cuerpo, por la red inalámbrica; también teléfonos con owoTrack.
 shirtdev-slimevr-in-use = Rastreadores en el puerto { $port }
+shirtdev-slimevr-needs = dos o más rastreadores, correas y la red inalámbrica de este equipo
+shirtdev-slimevr-costs = unos 30 a 60 € por rastreador
+shirtdev-slimevr-takes = un minuto cuando los rastreadores ya están en la red y luego la calibración
 shirtdev-slimevr-host-hint = 0.0.0.0 son todas las redes de este equipo: allí lo buscan los rastreadores.
 shirtdev-trunk-hint = Se ofrecen los sensores que envían. Cabeza, brazos y muslos se miden desde este.
 shirtdev-chair-hint = Sin un sensor en el tronco, este lo sustituye.
@@ -96,14 +117,23 @@ shirtdev-brainflow-layout-hint = Un archivo JSON que nombra los sensores. Sin é
 shirtdev-phones-title = Teléfonos como sensores
 shirtdev-phones-about = Hasta seis teléfonos o tabletas, sujetos a partes del cuerpo, muestran cómo giran estas. Cada uno abre una página y envía; no se instala nada.
 shirtdev-phones-in-use = Teléfonos, { $rate } muestras por segundo
+shirtdev-phones-needs = de uno a seis teléfonos o tabletas con un navegador actual y algo que los sujete; páginas por https
+shirtdev-phones-costs = ninguno, si ya se tienen los dispositivos; un brazalete, unos 10 €
+shirtdev-phones-takes = un minuto por teléfono y luego la calibración
 shirtdev-camera-title = Una cámara
-shirtdev-camera-about = La cámara de una tableta, un portátil o un teléfono sigue la parte superior del cuerpo; nadie lleva nada puesto. Su imagen se queda en el navegador. No habilita ninguna silla real.
+shirtdev-camera-about = La cámara de una tableta, un portátil o un teléfono sigue la parte superior del cuerpo; nadie lleva nada puesto. Su imagen se queda en el navegador.
 shirtdev-camera-in-use = Cámara, { $rate } muestras por segundo
+shirtdev-camera-needs = un dispositivo con cámara y un navegador actual, y luz de frente; una página por https o en este mismo equipo
+shirtdev-camera-costs = ninguno, si ya se tiene el dispositivo
+shirtdev-camera-takes = uno o dos minutos y luego la calibración
 shirtdev-camera-rate-hint = Elija menos si el dispositivo no llega a tiempo.
 # LSL is the Lab Streaming Layer, a network protocol of laboratories.
 shirtdev-lsl-title = Flujos de Lab Streaming Layer
 shirtdev-lsl-about = LSL: amplificadores, captura de movimiento y otros dispositivos de un laboratorio.
 shirtdev-lsl-in-use = Flujos de LSL
+shirtdev-lsl-needs = un dispositivo o programa que envía números por LSL, en la red de este equipo
+shirtdev-lsl-costs = ninguno, si ya se tiene el dispositivo
+shirtdev-lsl-takes = un minuto y luego la calibración
 shirtdev-lsl-name = Nombre del flujo
 shirtdev-lsl-name-hint = Deje vacío lo que no importe. Varios valores, separados por comas, unen otros tantos flujos.
 # What names the device that sends the stream.
@@ -155,10 +185,13 @@ shirtdev-recording-rate = { $folder }: esta grabación no indica su frecuencia d
 shirtdev-file-columns = { $file }: sus columnas no forman una disposición
 shirtdev-recording-layout = { $folder }: la disposición de la camiseta en esta grabación
 
-# $why is the reason that the system gives.
+# $why is the reason that the system gives, $lines a list of serial lines that are there.
 shirtdev-serial-failed =
     { $cause ->
-        [missing] no se puede abrir la camiseta en { $device } ({ $why }): conecte su cable o elija el nombre que la línea tiene ahora
+        [missing] no se puede abrir la camiseta en { $device } ({ $why }): conecte su cable{ $lines ->
+            [none] {""}
+           *[other] {" "}o elija el nombre que la línea tiene ahora: { $lines }
+        }
         [forbidden] no se puede abrir la camiseta en { $device } ({ $why }): permita a este programa usar líneas serie, en la mayoría de los sistemas añadiendo su cuenta al grupo dialout
         [busy] no se puede abrir la camiseta en { $device } ({ $why }): cierre el otro programa que la usa
        *[other] no se puede abrir la camiseta en { $device } ({ $why }): compruebe el cable y los baudios
@@ -187,7 +220,13 @@ shirtdev-serial =
 # $problem is a message device-key-...
 shirtdev-not-opened = no se abre la camiseta: { $problem }
 shirtdev-udp-no-address = no se puede recibir la camiseta en { $host }: no es una dirección, corríjala
-shirtdev-udp-failed = no se puede recibir la camiseta en { $place } ({ $why }): use una dirección de este equipo y un puerto libre
+shirtdev-udp-failed =
+    { $cause ->
+        [taken] no se puede recibir la camiseta en { $place } ({ $why }): cierre el otro programa que escucha ahí o use un puerto libre
+        [forbidden] no se puede recibir la camiseta en { $place } ({ $why }): use un puerto a partir del 1024
+        [elsewhere] no se puede recibir la camiseta en { $place } ({ $why }): use una dirección de este equipo, o 0.0.0.0 para todas
+       *[other] no se puede recibir la camiseta en { $place } ({ $why }): use una dirección de este equipo y un puerto libre
+    }
 # $trouble is a message shirtdev-newest-not-stored or shirtdev-frame-...
 shirtdev-udp-closed =
     No se está escuchando la camiseta{ $trouble ->
