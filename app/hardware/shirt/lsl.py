@@ -1,6 +1,5 @@
 """Streams of the Lab Streaming Layer as a shirt: one, or several that are joined by their clocks."""
 
-import math
 import threading
 from collections.abc import Callable, Iterable
 from contextlib import suppress

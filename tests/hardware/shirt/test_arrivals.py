@@ -201,7 +201,7 @@ def test_frames_that_are_late_are_no_silence(made, tmp_path, monkeypatch):
     keys = tmp_path / "keys"
     key = pair_shirt(keys)
     source = made(SteadyUdpCase, key_file=str(shirt_key_file(keys, key.id)))
-    monkeypatch.setattr(source.shirt._newest, "accept", lambda boot, seq: True)  # it waits for no disk
+    monkeypatch.setattr(source.shirt._newest, "accept", lambda _boot, _seq: True)  # it waits for no disk
 
     def comes(seq, kept):
         """Send a frame that was made `kept` seconds ago, and return whether it counts."""
