@@ -1095,7 +1095,7 @@ export interface paths {
             };
             requestBody: {
                 content: {
-                    "application/json": components["schemas"]["SimulatorConfig"] | components["schemas"]["CameraConfig"] | components["schemas"]["PhonesConfig"] | components["schemas"]["SlimeVrConfig"] | components["schemas"]["SerialConfig"] | components["schemas"]["LslConfig"] | components["schemas"]["UdpConfig"] | components["schemas"]["ReplayConfig"];
+                    "application/json": components["schemas"]["SimulatorConfig"] | components["schemas"]["CameraConfig"] | components["schemas"]["PhonesConfig"] | components["schemas"]["SlimeVrConfig"] | components["schemas"]["BluetoothConfig"] | components["schemas"]["SerialConfig"] | components["schemas"]["BrainFlowConfig"] | components["schemas"]["LslConfig"] | components["schemas"]["UdpConfig"] | components["schemas"]["ReplayConfig"];
                 };
             };
             responses: {
@@ -5570,6 +5570,186 @@ export interface paths {
         patch?: never;
         trace?: never;
     };
+    "/api/v1/layouts": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        get: {
+            parameters: {
+                query?: never;
+                header?: never;
+                path?: never;
+                cookie?: never;
+            };
+            requestBody?: never;
+            responses: {
+                200: {
+                    headers: {
+                        [name: string]: unknown;
+                    };
+                    content: {
+                        "application/json": components["schemas"]["LayoutsView"];
+                    };
+                };
+            };
+        };
+        put?: never;
+        post: {
+            parameters: {
+                query?: never;
+                header?: never;
+                path?: never;
+                cookie?: never;
+            };
+            requestBody: {
+                content: {
+                    "application/json": components["schemas"]["ShirtLayout"];
+                };
+            };
+            responses: {
+                201: {
+                    headers: {
+                        [name: string]: unknown;
+                    };
+                    content: {
+                        "application/json": components["schemas"]["LayoutsView"];
+                    };
+                };
+            };
+        };
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
+    "/api/v1/layouts/proposal": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        get: {
+            parameters: {
+                query?: never;
+                header?: never;
+                path?: never;
+                cookie?: never;
+            };
+            requestBody?: never;
+            responses: {
+                200: {
+                    headers: {
+                        [name: string]: unknown;
+                    };
+                    content: {
+                        "application/json": components["schemas"]["JointGroupsView"];
+                    };
+                };
+            };
+        };
+        put?: never;
+        post?: never;
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
+    "/api/v1/layouts/draft": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        get: {
+            parameters: {
+                query?: never;
+                header?: never;
+                path?: never;
+                cookie?: never;
+            };
+            requestBody?: never;
+            responses: {
+                200: {
+                    headers: {
+                        [name: string]: unknown;
+                    };
+                    content: {
+                        "application/json": components["schemas"]["LayoutDraftView"];
+                    };
+                };
+            };
+        };
+        put?: never;
+        post?: never;
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
+    "/api/v1/layouts/{layout_id}": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        get?: never;
+        put: {
+            parameters: {
+                query?: never;
+                header?: never;
+                path?: never;
+                cookie?: never;
+            };
+            requestBody: {
+                content: {
+                    "application/json": components["schemas"]["ChangedLayout"];
+                };
+            };
+            responses: {
+                200: {
+                    headers: {
+                        [name: string]: unknown;
+                    };
+                    content: {
+                        "application/json": components["schemas"]["LayoutsView"];
+                    };
+                };
+            };
+        };
+        post?: never;
+        delete: {
+            parameters: {
+                query?: never;
+                header?: never;
+                path?: never;
+                cookie?: never;
+            };
+            requestBody?: never;
+            responses: {
+                200: {
+                    headers: {
+                        [name: string]: unknown;
+                    };
+                    content: {
+                        "application/json": components["schemas"]["LayoutsView"];
+                    };
+                };
+            };
+        };
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
     "/api/v1/view/{role}/camera": {
         parameters: {
             query?: never;
@@ -5796,6 +5976,57 @@ export interface components {
             before: components["schemas"]["BoundGestures"][];
             now: components["schemas"]["BoundGestures"][];
         };
+        BluetoothConfig: {
+            /**
+             * @description discriminator enum property added by openapi-typescript
+             * @enum {string}
+             */
+            kind: "bluetooth";
+            /**
+             * @default 50
+             * @example 10
+             * @example 20
+             * @example 50
+             * @example 100
+             */
+            sample_rate?: number;
+            /** @default true */
+            from_neighbour?: boolean;
+            /** Format: tracker */
+            trunk?: string | null;
+            /** Format: tracker */
+            chair?: string | null;
+            /** Format: tracker */
+            head?: string | null;
+            /** Format: tracker */
+            left_upper_arm?: string | null;
+            /** Format: tracker */
+            right_upper_arm?: string | null;
+            /** Format: tracker */
+            left_forearm?: string | null;
+            /** Format: tracker */
+            right_forearm?: string | null;
+            /** Format: tracker */
+            left_hand?: string | null;
+            /** Format: tracker */
+            right_hand?: string | null;
+            /** Format: tracker */
+            left_fingers?: string | null;
+            /** Format: tracker */
+            right_fingers?: string | null;
+            /** Format: tracker */
+            left_thigh?: string | null;
+            /** Format: tracker */
+            right_thigh?: string | null;
+            /** Format: tracker */
+            left_lower_leg?: string | null;
+            /** Format: tracker */
+            right_lower_leg?: string | null;
+            /** Format: tracker */
+            left_foot?: string | null;
+            /** Format: tracker */
+            right_foot?: string | null;
+        };
         Body_bring_file_api_v1_equipment_files_post: {
             file: string;
         };
@@ -5831,6 +6062,36 @@ export interface components {
             /** @default 0 */
             angle: number;
             model: string | null;
+        };
+        BrainFlowConfig: {
+            /**
+             * @description discriminator enum property added by openapi-typescript
+             * @enum {string}
+             */
+            kind: "brainflow";
+            /** @default CYTON_BOARD */
+            board?: string;
+            /** @default accel */
+            data?: string;
+            /**
+             * @default default
+             * @enum {string}
+             */
+            preset?: "default" | "auxiliary" | "ancillary";
+            serial_port?: string | null;
+            mac_address?: string | null;
+            ip_address?: string | null;
+            /** @default 0 */
+            ip_port?: number;
+            serial_number?: string | null;
+            other_info?: string | null;
+            /** Format: layout */
+            layout?: components["schemas"]["ShirtLayout"] | null;
+        };
+        BundledLayoutView: {
+            /** @enum {string} */
+            use: "none" | "same" | "changed";
+            layout: components["schemas"]["ShirtLayout"];
         };
         CalibrationProfile: {
             /**
@@ -5936,6 +6197,10 @@ export interface components {
             dynamics: "unicycle" | "wheelchair";
             message: string;
         };
+        ChangedLayout: {
+            version: number;
+            layout: components["schemas"]["ShirtLayout"];
+        };
         Channel: {
             name: string;
             joint: string;
@@ -5970,6 +6235,14 @@ export interface components {
         ChosenSender: {
             sender: string;
         };
+        ClinicLayoutView: {
+            id: number;
+            version: number;
+            saved: string;
+            /** @enum {string} */
+            use: "none" | "same" | "changed";
+            layout: components["schemas"]["ShirtLayout"];
+        };
         Code: {
             code: string;
         };
@@ -5995,7 +6268,7 @@ export interface components {
         };
         ComparedTests: {
             /** @enum {string} */
-            source: "worn" | "camera" | "phones" | "slimevr" | "lsl" | "simulated" | "unknown";
+            source: "worn" | "camera" | "phones" | "slimevr" | "bluetooth" | "brainflow" | "lsl" | "simulated" | "unknown";
             complete: [
                 number,
                 number
@@ -6638,7 +6911,7 @@ export interface components {
         };
         InterfaceTestsView: {
             tests: components["schemas"]["InterfaceTestView"][];
-            source: ("worn" | "camera" | "phones" | "slimevr" | "lsl" | "simulated" | "unknown") | null;
+            source: ("worn" | "camera" | "phones" | "slimevr" | "bluetooth" | "brainflow" | "lsl" | "simulated" | "unknown") | null;
             course: components["schemas"]["InterfaceCourse"];
         };
         InterfaceVerdicts: {
@@ -6659,6 +6932,11 @@ export interface components {
         Joint: {
             name: string;
             label: string;
+        };
+        JointGroupsView: {
+            message: string;
+            groups: number[][];
+            still: number[];
         };
         JointLines: {
             name: string;
@@ -6751,13 +7029,22 @@ export interface components {
             hash: string;
             title: string;
         };
+        LayoutDraftView: {
+            layout: components["schemas"]["ShirtLayout"];
+            has_joints: boolean;
+            proposal: components["schemas"]["JointGroupsView"];
+        };
+        LayoutsView: {
+            own: components["schemas"]["ClinicLayoutView"][];
+            bundled: components["schemas"]["BundledLayoutView"][];
+        };
         LeadingMeasures: {
             has: string[];
             names: string[];
         };
         LearningView: {
             /** @enum {string} */
-            source: "worn" | "camera" | "phones" | "slimevr" | "lsl" | "simulated" | "unknown";
+            source: "worn" | "camera" | "phones" | "slimevr" | "bluetooth" | "brainflow" | "lsl" | "simulated" | "unknown";
             others: {
                 [key: string]: number;
             };
@@ -7604,7 +7891,7 @@ export interface components {
         };
         QualityView: {
             /** @enum {string} */
-            source: "worn" | "camera" | "phones" | "slimevr" | "lsl" | "simulated" | "unknown";
+            source: "worn" | "camera" | "phones" | "slimevr" | "bluetooth" | "brainflow" | "lsl" | "simulated" | "unknown";
             trials: components["schemas"]["QualityRow"][];
             labels: {
                 [key: string]: string;
@@ -7671,6 +7958,8 @@ export interface components {
             file: string;
             /** @default true */
             loop?: boolean;
+            /** Format: layout */
+            layout?: components["schemas"]["ShirtLayout"] | null;
         };
         ReplayMoment: {
             t: number;
@@ -8025,7 +8314,7 @@ export interface components {
             simulated: boolean | null;
             description: string;
             /** @enum {string} */
-            group: "worn" | "camera" | "phones" | "slimevr" | "lsl" | "simulated" | "unknown";
+            group: "worn" | "camera" | "phones" | "slimevr" | "bluetooth" | "brainflow" | "lsl" | "simulated" | "unknown";
         };
         Speeds: {
             /** @default 0.8 */
@@ -8130,7 +8419,7 @@ export interface components {
             path: string;
             path_title: string;
             /** @enum {string} */
-            source: "worn" | "camera" | "phones" | "slimevr" | "lsl" | "simulated" | "unknown";
+            source: "worn" | "camera" | "phones" | "slimevr" | "bluetooth" | "brainflow" | "lsl" | "simulated" | "unknown";
             trials: [
                 number,
                 number
@@ -8148,7 +8437,7 @@ export interface components {
             path_name: string;
             path_title: string;
             /** @enum {string} */
-            source: "worn" | "camera" | "phones" | "slimevr" | "lsl" | "simulated" | "unknown";
+            source: "worn" | "camera" | "phones" | "slimevr" | "bluetooth" | "brainflow" | "lsl" | "simulated" | "unknown";
             trials: {
                 [key: string]: unknown;
             }[];
@@ -8413,11 +8702,14 @@ export type BackupsView = components['schemas']['BackupsView'];
 export type BadChannel = components['schemas']['BadChannel'];
 export type Binding = components['schemas']['Binding'];
 export type BindingDifference = components['schemas']['BindingDifference'];
+export type BluetoothConfig = components['schemas']['BluetoothConfig'];
 export type BodyBringFileApiV1EquipmentFilesPost = components['schemas']['Body_bring_file_api_v1_equipment_files_post'];
 export type BodyBringModelApiV1ModelsPost = components['schemas']['Body_bring_model_api_v1_models_post'];
 export type BodyImportFilesApiV1FloorplansImportPost = components['schemas']['Body_import_files_api_v1_floorplans_import_post'];
 export type BoundGestures = components['schemas']['BoundGestures'];
 export type Box = components['schemas']['Box'];
+export type BrainFlowConfig = components['schemas']['BrainFlowConfig'];
+export type BundledLayoutView = components['schemas']['BundledLayoutView'];
 export type CalibrationProfile = components['schemas']['CalibrationProfile'];
 export type CalibrationView = components['schemas']['CalibrationView'];
 export type CameraChoice = components['schemas']['CameraChoice'];
@@ -8427,11 +8719,13 @@ export type ChairStateView = components['schemas']['ChairStateView'];
 export type ChairSummary = components['schemas']['ChairSummary'];
 export type ChairView = components['schemas']['ChairView'];
 export type ChairsView = components['schemas']['ChairsView'];
+export type ChangedLayout = components['schemas']['ChangedLayout'];
 export type Channel = components['schemas']['Channel'];
 export type ChannelLine = components['schemas']['ChannelLine'];
 export type CheckView = components['schemas']['CheckView'];
 export type Choice = components['schemas']['Choice'];
 export type ChosenSender = components['schemas']['ChosenSender'];
+export type ClinicLayoutView = components['schemas']['ClinicLayoutView'];
 export type Code = components['schemas']['Code'];
 export type CommentRevisionView = components['schemas']['CommentRevisionView'];
 export type CommentView = components['schemas']['CommentView'];
@@ -8512,6 +8806,7 @@ export type InterfaceVerdicts = components['schemas']['InterfaceVerdicts'];
 export type InvitationCode = components['schemas']['InvitationCode'];
 export type InvitedView = components['schemas']['InvitedView'];
 export type Joint = components['schemas']['Joint'];
+export type JointGroupsView = components['schemas']['JointGroupsView'];
 export type JointLines = components['schemas']['JointLines'];
 export type JointMap = components['schemas']['JointMap'];
 export type JointQuality = components['schemas']['JointQuality'];
@@ -8519,6 +8814,8 @@ export type JointView = components['schemas']['JointView'];
 export type KeptView = components['schemas']['KeptView'];
 export type LanguageChoice = components['schemas']['LanguageChoice'];
 export type LatestPractice = components['schemas']['LatestPractice'];
+export type LayoutDraftView = components['schemas']['LayoutDraftView'];
+export type LayoutsView = components['schemas']['LayoutsView'];
 export type LeadingMeasures = components['schemas']['LeadingMeasures'];
 export type LearningView = components['schemas']['LearningView'];
 export type LevelView = components['schemas']['LevelView'];

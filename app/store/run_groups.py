@@ -7,7 +7,7 @@ from sqlalchemy import ColumnElement, case
 from app.source import OWN_GROUPS, SourceGroup
 from app.store.tables import Run
 
-RUN_GROUP: Final[ColumnElement[SourceGroup]] = case(
+run_group: Final[ColumnElement[SourceGroup]] = case(
     (Run.simulated.is_(None), "unknown"),
     (Run.simulated.is_(True), "simulated"),
     *((Run.shirt == shirt, group) for shirt, group in OWN_GROUPS.items()),

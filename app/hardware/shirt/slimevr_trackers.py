@@ -184,7 +184,7 @@ class SlimeTrackers:
                 if part is not None:
                     self._frames.take_orientation(part, orientation, t)
             case TrackerAcceleration(sensor):
-                part = self._place(tracker, sensor_name(tracker.mac, sensor))
+                part = self._place(tracker, sensor_name(tracker.mac, sensor), t)
                 if part is not None:
                     self._frames.take_sign(part, t)
             case TrackerFlex(sensor, value):

@@ -2,7 +2,7 @@
  * Both sides of the body with a mark for each channel that has a place. The chosen channel is put where somebody taps;
  * its mark can be dragged, and moved by arrow keys.
  * @import { ShirtLayout } from "types/api"
- * @import { Channel, Side } from "./layout_document.js"
+ * @import { Side } from "./layout_document.js"
  */
 import { h, useRef } from "../../preact.js";
 import { t } from "../../texts.js";

@@ -67,7 +67,7 @@ export function NewLayout({ list: { app, layouts, equipment }, onSaved }) {
       })),
       chosen: source.value,
       onChange: (value) => {
-        source.value = value;
+        source.value = /** @type {Source} */ (value);
         problem.value = "";
       },
     }),
