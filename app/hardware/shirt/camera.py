@@ -74,7 +74,8 @@ class CameraConfig(ShirtConfig):
 class CameraShirt:
     """Frames at a steady rate, each with the newest sample of one page; nothing is interpolated.
 
-    Three periods after a sample every channel is missing, and after `ALIVE` the shirt is silent.
+    Three periods after a sample every channel is missing, and after `ALIVE` the shirt is silent. A person is never so
+    still that two pictures give the same numbers: such a sample shows that the camera hangs, and does not count (S5).
     """
 
     def __init__(self, config: CameraConfig, clock: Clock) -> None:
@@ -124,6 +125,9 @@ class CameraShirt:
         if self._age > TOO_OLD:
             self.late += 1
             self._watch.leave_out(LeftOut(received, "late"))
+            return
+        if np.array_equal(sample.values, self._values, equal_nan=True) and not np.isnan(sample.values).all():
+            self._watch.leave_out(LeftOut(received, "idle"))
             return
         self._watch.accept(received)
         if received - self._received <= ALIVE:
@@ -191,6 +195,8 @@ class CameraShirt:
                 return Text("arrivals-camera-late", delay=Figure(self._age, 1))
             case "nobody":
                 return Text("arrivals-camera-nobody")
+            case "idle":
+                return Text("arrivals-camera-idle")
             case "rate":
                 pictures = round(1.0 / max(self._interval, SHORTEST_INTERVAL))
                 return Text("arrivals-camera-slow", pictures=pictures, expected=round(self.sample_rate, 2))

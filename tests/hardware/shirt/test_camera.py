@@ -101,6 +101,22 @@ def test_jitter_adds_and_loses_no_frame(shirt, clock, page):
     assert shirt.lost == 0
 
 
+def test_a_camera_that_hangs_is_found_and_a_slow_one_is_no_broken_one(clock):
+    shirt = CameraShirt(CameraConfig(kind="camera", sample_rate=10.0), clock)
+    shirt.open()
+    page = CameraPage(shirt, clock)
+    assert all(shirt.layout.may_stay_constant)
+    assert not any(map(is_missing, run(shirt, clock, page, 2.0, 0.14)))
+    frozen = np.full(CHANNELS, 0.1, np.float32)
+    page.send(frozen)
+    frames = []
+    for _ in range(5):
+        frames += frames_of(shirt, clock, 0.1)
+        page.send(frozen)
+    assert is_missing(frames[-1])
+    assert shirt.read(0.1) is None
+
+
 def test_what_is_not_visible_is_missing_in_the_next_frame(shirt, clock, page):
     values = np.arange(CHANNELS, dtype=np.float32) / 100
     values[3:6] = np.nan

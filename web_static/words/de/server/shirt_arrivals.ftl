@@ -43,6 +43,7 @@ arrivals-lsl-silent =
     }
 arrivals-camera-nothing = Keine Seite sendet als Kamera. Starten Sie sie hier oder auf dem Patientenbildschirm, und lassen Sie diese Seite im Blick.
 arrivals-camera-nobody = Die Kamera sendet, sieht aber niemanden. Setzen Sie sich so, dass Kopf, Schultern und Arme im Bild sind.
+arrivals-camera-idle = Die Kamera liefert immer dasselbe Bild. Prüfen Sie, ob sie verdeckt oder ausgeschaltet ist, und starten Sie sie neu.
 arrivals-camera-late = Bilder kommen { $delay } s zu spät an, und ein verspätetes zählt nicht. Schließen Sie andere Programme auf dem Gerät der Kamera, oder wählen Sie weniger Datenpakete pro Sekunde.
 arrivals-camera-slow = Die Kamera liest { $pictures } Bilder pro Sekunde, zu wenige für { $expected } Datenpakete. Wählen Sie weniger Datenpakete pro Sekunde, oder verwenden Sie ein anderes Gerät.
 arrivals-page-foreign =

@@ -43,6 +43,7 @@ arrivals-lsl-silent =
     }
 arrivals-camera-nothing = No page sends as the camera: start it here or on the patient’s screen, and keep that page in view.
 arrivals-camera-nobody = The camera sends, but sees nobody: sit so that head, shoulders and arms are in the picture.
+arrivals-camera-idle = The camera gives the same picture again and again. Look whether it is covered or switched off, then start it again.
 arrivals-camera-late = Pictures arrive { $delay } s late, and a late one counts as none: close other programs on the device of the camera, or choose fewer frames a second.
 arrivals-camera-slow = The camera reads { $pictures } pictures a second, too few for { $expected } frames: choose fewer frames a second, or use another device.
 arrivals-page-foreign =

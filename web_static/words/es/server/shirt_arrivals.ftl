@@ -43,6 +43,7 @@ arrivals-lsl-silent =
     }
 arrivals-camera-nothing = Ninguna página envía como cámara: iníciela aquí o en la pantalla del paciente, y mantenga esa página a la vista.
 arrivals-camera-nobody = La cámara envía, pero no ve a nadie: siéntese de modo que la cabeza, los hombros y los brazos estén en la imagen.
+arrivals-camera-idle = La cámara da siempre la misma imagen. Compruebe si está tapada o apagada y vuelva a iniciarla.
 arrivals-camera-late = Las imágenes llegan con { $delay } s de retraso, y una tardía no cuenta: cierre otros programas en el dispositivo de la cámara o elija menos muestras por segundo.
 arrivals-camera-slow = La cámara lee { $pictures } imágenes por segundo, muy pocas para { $expected } muestras: elija menos muestras por segundo o use otro dispositivo.
 arrivals-page-foreign =
