@@ -26,6 +26,7 @@ SIZE = "768x1024"
 STAND_INS = Path(__file__).with_name("stand_ins")
 LOOK_EVERY = 250  # ms
 OPENED_WITHIN = 30  # s: a device is opened for at most 8 s
+JUDGED_AFTER = 3500  # ms: until then lamps may be those of the source before, and of what arrives nothing is said
 LAMPS_WITHIN = 120  # s: software draws the camera's first picture in 20 s on an idle machine
 IDLE = 3000  # ms: the next step of the calibration begins by itself after 1.5 s
 CALIBRATED_WITHIN = 600  # s
@@ -187,6 +188,7 @@ def chooses(story, source, facts, ask):
     def is_good():
         return good_lamps(story) >= source.lamps and not story.card.locator(".arrivals").count()
 
+    story.page.wait_for_timeout(JUDGED_AFTER)
     story.wait_until(is_good, LAMPS_WITHIN, f"{source.lamps} green lamps")
     story.card.scroll_into_view_if_needed()
     story.photograph("source")
