@@ -16,7 +16,7 @@ OWN := $(INSTALL) --no-index --no-deps --no-build-isolation
 unexport PYTHONDONTWRITEBYTECODE
 
 .PHONY: demo test browser check format lint python-types javascript-types api-types
-.PHONY: safety compiled drills worlds sensors soak long-recording people-soak large-clinic photographs
+.PHONY: safety compiled drills worlds sensors sources-tried soak long-recording people-soak large-clinic photographs
 .PHONY: words bench bench-compare verdicts page shipped pins clean
 
 $(VENV)/.installed: pyproject.toml hatch_build.py front_end_packages.py package-lock.json requirements/run.txt requirements/build.txt
@@ -111,6 +111,11 @@ soak: $(VENV)/.installed-test
 sensors: $(VENV)/.installed-test
 	PYTHONPATH=.:tests $(BIN)/python -m sensors $(if $(SENSOR_TIME),--seconds $(SENSOR_TIME)) \
 		$(if $(SENSOR),--only "$(SENSOR)",--out docs/sensors-measured.md)
+
+# Each source of movements in a browser, from a demonstration to a scored trial: SOURCES="udp camera" prints these and
+# writes nothing. Photographs: build/sources-tried.
+sources-tried: $(VENV)/.installed-test
+	PYTHONPATH=.:tests $(BIN)/python -m sources_tried $(if $(SOURCES),--only $(SOURCES),--out docs/sensors-measured.md)
 
 long-recording: $(VENV)/.installed-test
 	PYTHONPATH=.:tests $(BIN)/python -m soak.recording

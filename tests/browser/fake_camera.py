@@ -55,20 +55,28 @@ def film_of(file: Path, seconds: float, *, empty_seconds: float = 0.0) -> Path:
 
 
 @contextmanager
-def browser_with_camera(playwright: Playwright, film: Path, folder: Path) -> Iterator[Browser]:
-    """Yield a browser whose camera shows a film, and which permits it to the pages that may have it."""
+def own_browser(playwright: Playwright, folder: Path, *words: str) -> Iterator[Browser]:
+    """Yield a browser that is started with more words than others; `folder` takes the program that starts it."""
     program = PROGRAM or need("chromium", "chromium")
     expect.set_options(timeout=PATIENCE)
-    camera = (
-        "--use-fake-ui-for-media-stream",
-        "--use-fake-device-for-media-stream",
-        f"--use-file-for-fake-video-capture={film}",
-    )
-    chromium = playwright.chromium.launch(executable_path=modest(program, folder), args=[*CHROMIUM, *camera])
+    chromium = playwright.chromium.launch(executable_path=modest(program, folder), args=[*CHROMIUM, *words])
     try:
         yield chromium
     finally:
         chromium.close()
+
+
+@contextmanager
+def browser_with_camera(playwright: Playwright, film: Path, folder: Path) -> Iterator[Browser]:
+    """Yield a browser whose camera shows a film, and which permits it to the pages that may have it."""
+    with own_browser(
+        playwright,
+        folder,
+        "--use-fake-ui-for-media-stream",
+        "--use-fake-device-for-media-stream",
+        f"--use-file-for-fake-video-capture={film}",
+    ) as chromium:
+        yield chromium
 
 
 class Traffic:

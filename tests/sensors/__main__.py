@@ -9,6 +9,7 @@ from pathlib import Path
 import numpy as np
 from sensors.measure import Measured, measure
 from sensors.subjects import SUBJECTS
+from sources_tried.figures import section_of
 
 from app.lsl_library import LSL_MISSING, load_lsl
 from bench.tables import here
@@ -69,7 +70,9 @@ def main() -> int:
             sys.stdout.write(row(found[-1]))
             sys.stdout.flush()
     if given.out:
-        given.out.write_text(page(found, left_out, given.seconds, given.cuts, given.junk), encoding="utf-8")
+        driven = section_of(given.out.read_text(encoding="utf-8")) if given.out.exists() else ""
+        written = page(found, left_out, given.seconds, given.cuts, given.junk)
+        given.out.write_text(written + driven, encoding="utf-8")
     return 0 if all(map(is_kept, found)) else 1
 
 
