@@ -28,7 +28,7 @@ EXCEPTIONS: dict[str, tuple[str, ...]] = {
         "app.hardware.shirt.brainflow_library",
         "app.hardware.shirt.lsl_streams",
         "app.hardware.shirt.serial_bytes",
-        "app.hardware.shirt.slimevr_trackers",
+        "app.hardware.shirt.orientation_sensors.slimevr_trackers",
         "app.host.authority",
         "app.pipeline.commands",
         "app.pipeline.movement_check",
@@ -60,7 +60,7 @@ EXCEPTIONS: dict[str, tuple[str, ...]] = {
         "app.api.routes.plan_uploads",
     ),
     "bleak's thread is read apart from the shirt, which the control loop calls": (
-        "app.hardware.shirt.bluetooth_links",
+        "app.hardware.shirt.orientation_sensors.bluetooth_links",
     ),
     "the computing process reads a file for a draft, and loads neither routes nor database": (
         "app.features.layouts.drafts",

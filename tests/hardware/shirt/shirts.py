@@ -5,25 +5,25 @@ import socket
 import numpy as np
 from fake_clock import FakeClock
 from hardware.shirt.camera_page import CameraPage
-from hardware.shirt.fake_bleak import FakeBleak
 from hardware.shirt.fake_brainflow import CYTON, FakeBrainFlow
 from hardware.shirt.fake_lsl import FakeLsl
-from hardware.shirt.phone_page import PhonePage
-from hardware.shirt.slime_tracker import SlimeTracker
+from hardware.shirt.orientation_sensors.fake_bleak import FakeBleak
+from hardware.shirt.orientation_sensors.phone_page import PhonePage
+from hardware.shirt.orientation_sensors.slime_tracker import SlimeTracker
 from hardware.shirt.wired_board import WiredBoard
 
 from app.clock import MonotonicClock
-from app.hardware.shirt.bluetooth import BluetoothConfig, BluetoothShirt
 from app.hardware.shirt.brainflow_board import BrainFlowConfig, BrainFlowShirt
 from app.hardware.shirt.camera import CameraConfig, CameraShirt
 from app.hardware.shirt.lsl import LslConfig, LslShirt
-from app.hardware.shirt.orientation_frames import REST_TIME
+from app.hardware.shirt.orientation_sensors.bluetooth import BluetoothConfig, BluetoothShirt
+from app.hardware.shirt.orientation_sensors.orientation_frames import REST_TIME
+from app.hardware.shirt.orientation_sensors.phones import PhonesConfig, PhonesShirt
+from app.hardware.shirt.orientation_sensors.slimevr import SlimeVrConfig, SlimeVrShirt
 from app.hardware.shirt.packet import encode
-from app.hardware.shirt.phones import PhonesConfig, PhonesShirt
 from app.hardware.shirt.replay import ReplayConfig, ReplayedShirt
 from app.hardware.shirt.serial_line import SerialConfig, SerialShirt
 from app.hardware.shirt.simulator import SimulatedShirt, SimulatorConfig
-from app.hardware.shirt.slimevr import SlimeVrConfig, SlimeVrShirt
 from app.hardware.shirt.udp import UdpConfig, UdpShirt
 from app.layout import Channel, Joint, ShirtLayout
 

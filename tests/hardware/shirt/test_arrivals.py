@@ -7,7 +7,8 @@ import numpy as np
 import pytest
 from fake_clock import FakeClock
 from hardware.shirt.camera_page import CHANNELS
-from hardware.shirt.phone_page import PhonePage
+from hardware.shirt.orientation_sensors.phone_page import PhonePage
+from hardware.shirt.orientation_sensors.slime_tracker import SlimeTracker
 from hardware.shirt.shirts import (
     RATE,
     SHIRTS,
@@ -22,7 +23,6 @@ from hardware.shirt.shirts import (
     UdpCase,
     small_layout,
 )
-from hardware.shirt.slime_tracker import SlimeTracker
 from hypothesis import assume, given
 from hypothesis import strategies as st
 

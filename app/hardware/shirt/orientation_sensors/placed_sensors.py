@@ -10,9 +10,9 @@ from pydantic import Field, field_validator, model_validator
 from app.arrivals import Arrivals, ArrivalVerdict
 from app.clock import Clock
 from app.hardware.shirt.arrival_watch import GOOD, WAITING, ArrivalWatch
-from app.hardware.shirt.body_parts import PARTS, TRUNK, layout_of, part_title
 from app.hardware.shirt.kind import FieldTexts, ShirtConfig, ShirtRate
-from app.hardware.shirt.orientation_frames import OrientationFrames
+from app.hardware.shirt.orientation_sensors.body_parts import PARTS, TRUNK, layout_of, part_title
+from app.hardware.shirt.orientation_sensors.orientation_frames import OrientationFrames
 from app.messages import SensorFrame
 from app.quantities import Line
 from app.texts import Text, in_sequence

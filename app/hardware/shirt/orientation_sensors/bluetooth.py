@@ -8,10 +8,15 @@ from pydantic import Field
 
 from app.clock import Clock
 from app.hardware.base import HardwareError, library_message
-from app.hardware.shirt.bluetooth_links import BleakLibrary, SensorLinks, SensorNotification, load_bleak
 from app.hardware.shirt.kind import LOWEST_RATE, FieldTexts, ShirtKind, Trust, page_texts
-from app.hardware.shirt.placed_sensors import PlacedSensorsConfig, PlacedSensorsShirt
-from app.hardware.shirt.witmotion import (
+from app.hardware.shirt.orientation_sensors.bluetooth_links import (
+    BleakLibrary,
+    SensorLinks,
+    SensorNotification,
+    load_bleak,
+)
+from app.hardware.shirt.orientation_sensors.placed_sensors import PlacedSensorsConfig, PlacedSensorsShirt
+from app.hardware.shirt.orientation_sensors.witmotion import (
     LOW_VOLTS,
     RATES,
     SensorDecoder,

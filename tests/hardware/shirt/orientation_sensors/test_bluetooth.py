@@ -5,15 +5,15 @@ import threading
 import numpy as np
 import pytest
 from fake_clock import FakeClock
-from hardware.shirt.fake_bleak import ANSWER, FakeBleak
+from hardware.shirt.orientation_sensors.fake_bleak import ANSWER, FakeBleak
 from hardware.shirt.shirts import RATE, BluetoothCase
 from pydantic import ValidationError
 
 from app.clock import monotonic
 from app.hardware.base import HardwareError, NetworkShirt, SearchingShirt
-from app.hardware.shirt import bluetooth_links
-from app.hardware.shirt.bluetooth import KIND, BluetoothConfig, BluetoothShirt
-from app.hardware.shirt.orientation_frames import REST_TIME
+from app.hardware.shirt.orientation_sensors import bluetooth_links
+from app.hardware.shirt.orientation_sensors.bluetooth import KIND, BluetoothConfig, BluetoothShirt
+from app.hardware.shirt.orientation_sensors.orientation_frames import REST_TIME
 from app.texts import LANGUAGES, from_document, reader_language, to_document
 
 FOREARM, TRUNK, OTHER = "A1:B2:C3:D4:E5:F6", "00:00:00:00:00:0A", "00:00:00:00:00:0B"

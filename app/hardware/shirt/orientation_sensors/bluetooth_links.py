@@ -10,7 +10,13 @@ from typing import Any, Final, NamedTuple, Protocol, cast
 
 from app.clock import Clock
 from app.hardware.base import library_message
-from app.hardware.shirt.witmotion import ASK_VOLTAGE, NAME_BEGINS, NOTIFIED, WRITTEN, set_up_commands
+from app.hardware.shirt.orientation_sensors.witmotion import (
+    ASK_VOLTAGE,
+    NAME_BEGINS,
+    NOTIFIED,
+    WRITTEN,
+    set_up_commands,
+)
 
 LOOK: Final = 5.0  # s of one look for sensors; less as soon as all that are missing were seen
 LOOK_AGAIN: Final = 1.0  # s between two looks, and between two checks of the connections
