@@ -1,6 +1,8 @@
 """Shirts for tests, each with a way to send the next frames."""
 
 import socket
+from collections import deque
+from types import SimpleNamespace
 
 import numpy as np
 from fake_clock import FakeClock
@@ -14,6 +16,7 @@ from hardware.shirt.wired_board import WiredBoard
 
 from app.clock import MonotonicClock
 from app.hardware.shirt.brainflow_board import BrainFlowConfig, BrainFlowShirt
+from app.hardware.shirt.brainflow_library import BoardChannels
 from app.hardware.shirt.camera import CameraConfig, CameraShirt
 from app.hardware.shirt.lsl import LslConfig, LslShirt
 from app.hardware.shirt.orientation_sensors.bluetooth import BluetoothConfig, BluetoothShirt
@@ -231,6 +234,31 @@ class BrainFlowCase:
 
     def end(self):
         """Do nothing: no other resource is held."""
+
+
+class FedBoard:
+    """A board of BrainFlow with one channel on a fake clock, which is given what its thread would take over."""
+
+    def __init__(self):
+        self.clock = FakeClock(50.0)
+        config = BrainFlowConfig(kind="brainflow", layout=small_layout())
+        self.shirt = BrainFlowShirt(config, self.clock, FakeBrainFlow)
+        self.shirt._begin(BoardChannels({"accel_1": 0}, 1, RATE))
+        self.chunks = deque()
+        self.reader = SimpleNamespace(chunks=self.chunks, trouble="", wait=self.wait, end=lambda: None)
+        self.shirt._reader = self.reader
+
+    def wait(self, longest):
+        self.clock.time += longest
+
+    def frames(self, stamps, delay=0.0):
+        """Return the frames of samples with these times (s), which are numbered and taken over at once."""
+        self.clock.time += delay
+        self.chunks.append((self.clock.time, np.array([np.arange(float(len(stamps))), stamps])))
+        found = []
+        while (frame := self.shirt.read(0.0)) is not None:
+            found.append(frame)
+        return found
 
 
 class CameraCase:

@@ -7,12 +7,15 @@ import numpy as np
 import pytest
 from fake_clock import FakeClock
 from hardware.shirt.camera_page import CHANNELS
+from hardware.shirt.orientation_sensors.fake_bleak import wait_for
 from hardware.shirt.orientation_sensors.phone_page import PhonePage
 from hardware.shirt.orientation_sensors.slime_tracker import SlimeTracker
 from hardware.shirt.shirts import (
     RATE,
     SHIRTS,
+    BluetoothCase,
     CameraCase,
+    FedBoard,
     FramesCase,
     LinesCase,
     LslCase,
@@ -31,6 +34,7 @@ from app.hardware.base import HardwareError, ReportingShirt
 from app.hardware.chair.key import new_key
 from app.hardware.registry import make_shirt, parse_shirt
 from app.hardware.shirt.arrival_watch import PATIENCE, RATE_ERROR, ArrivalWatch, LeftOut, RateMeter
+from app.hardware.shirt.orientation_sensors import bluetooth_links
 from app.hardware.shirt.packet import encode
 from app.hardware.shirt.sender import signed_frame
 from app.hardware.shirt.udp import UdpConfig, UdpShirt
@@ -132,6 +136,7 @@ def test_a_rate_is_measured_and_told_from_the_one_that_is_set(rate, expected):
         meter.add(seq, 1000.0 + seq / rate)
     assert meter.rate == pytest.approx(rate, rel=1e-6)
     assert meter.is_wrong == (abs(rate / expected - 1.0) > RATE_ERROR)
+    assert meter.is_low == (meter.is_wrong and rate < expected)
 
 
 def test_a_pause_and_a_restart_are_no_rate():
@@ -140,7 +145,7 @@ def test_a_pause_and_a_restart_are_no_rate():
     for seq, t in ((0, 0.0), (1, 0.01), (2, 9.0), (3, 9.01), (0, 9.02), (1, 9.03)):
         meter.add(seq, t)
     assert np.isnan(meter.rate)
-    assert not meter.is_wrong
+    assert not (meter.is_wrong or meter.is_low)
 
 
 # The shirt over UDP.
@@ -331,7 +336,37 @@ def test_a_stream_that_sends_nothing_and_one_that_has_ended(made):
     assert message.startswith("The program that sends Arm (source ID arm-1")
 
 
-# A camera, phones, trackers, a file.
+# Boards of BrainFlow.
+
+
+def test_a_board_says_why_it_shows_nothing():
+    fed = FedBoard()
+    assert said(fed.shirt)[0] == "waiting"
+    fed.clock.time += SILENCE
+    verdict, message = said(fed.shirt)
+    assert verdict == "nothing"
+    assert message.startswith("Nothing arrives from the board CYTON_BOARD: switch it on")
+    fed.reader.trouble = "BOARD_NOT_READY_ERROR"
+    verdict, message = said(fed.shirt)
+    assert verdict == "gone"
+    assert message.startswith("Nothing arrives from the board CYTON_BOARD (BOARD_NOT_READY_ERROR): switch it on")
+    fed.reader.trouble = ""
+    assert fed.frames([1e9])
+    assert said(fed.shirt) == ("arrives", "Signals arrive.")
+
+
+@pytest.mark.parametrize(("rate", "verdict"), [(50, "rate"), (95, "arrives"), (100, "arrives"), (200, "rate")])
+def test_a_board_at_another_rate_than_brainflow_knows_of_it(rate, verdict):
+    fed = FedBoard()
+    for burst in range(30):
+        fed.frames(1e9 + burst / 5 + np.arange(rate // 5) / rate, delay=1 / 5)
+    found, message = said(fed.shirt)
+    assert found == verdict
+    if verdict == "rate":
+        assert message.startswith(f"{rate} samples a second arrive from the board CYTON_BOARD, but its stream has 100")
+
+
+# A camera, phones, trackers, Bluetooth sensors, a file.
 
 
 def test_a_camera_says_why_it_shows_nothing(made):
@@ -401,6 +436,77 @@ def test_trackers_say_why_they_show_nothing(made):
         source.shirt.read(0.0)
         verdict, message = said(source.shirt)
         assert (verdict, message.startswith(words)) == (expected, True), message
+
+
+def at_once(monkeypatch):
+    """Let Bluetooth's connections be checked at once, so that no test waits for them."""
+    monkeypatch.setattr(bluetooth_links, "LOOK", 0.05)
+    monkeypatch.setattr(bluetooth_links, "LOOK_AGAIN", 0.02)
+
+
+def test_bluetooth_sensors_say_why_they_show_nothing(made, monkeypatch):
+    at_once(monkeypatch)
+    source = made(BluetoothCase)
+    links = source.shirt._links
+
+    def sends(content=None):
+        """Let the sensor send, and return what the shirt says of it."""
+        source.sensor.send(content)
+        source.shirt.read(0.0)
+        return said(source.shirt)
+
+    wait_for(lambda: links.connected)
+    assert said(source.shirt)[0] == "idle"
+    verdict, message = sends(b"junk")
+    assert verdict == "foreign"
+    assert message.startswith("1 message arrived that such a sensor does not send")
+    frame = source.sensor.motion()
+    verdict, message = sends(frame)
+    assert verdict == "moving"
+    assert message.startswith("Not yet at rest: Right forearm.")
+    source.clock.time += SILENCE
+    verdict, message = sends(frame)
+    assert verdict == "repeated"
+    assert message.startswith("A sensor sends one measurement again and again")
+    assert source.shirt.arrivals()[2:] == (1, 2)
+
+
+def test_bluetooth_sensors_that_cannot_be_reached_say_what_to_do(made, monkeypatch):
+    at_once(monkeypatch)
+    source = made(BluetoothCase)
+    links = source.shirt._links
+    wait_for(lambda: links.connected)
+    source.sensor.switch_off()
+    wait_for(lambda: not links.connected)
+    verdict, message = said(source.shirt)
+    assert verdict == "nothing"
+    assert message.startswith("No sensor is in reach: switch them on")
+    source.bleak.add_sensor("00:00:00:00:00:0A")
+    wait_for(lambda: source.shirt.found)
+    verdict, message = said(source.shirt)
+    assert verdict == "unplaced"
+    assert message.startswith("Silent: Right forearm.")
+    assert "On no part of the body: 00:00:00:00:00:0A." in message
+    source.bleak.failure = OSError("org.bluez.Error.NotReady")  # the adapter was pulled
+    wait_for(lambda: links.trouble)
+    verdict, message = said(source.shirt)
+    assert verdict == "nothing"
+    assert message.startswith("Nothing arrives over Bluetooth (org.bluez.Error.NotReady): see that")
+
+
+def test_a_bluetooth_sensor_that_sends_too_seldom_is_named(made, monkeypatch):
+    at_once(monkeypatch)
+    source = made(BluetoothCase)
+    source.sensor.wait_until_connected()
+    for _ in range(120):
+        source.clock.time += 1 / 20
+        source.sensor.send()
+        source.shirt.read(0.0)
+    verdict, message = said(source.shirt)
+    assert verdict == "rate"
+    assert message.startswith("Right forearm: its sensor sends 20 times a second, too few for 100 frames.")
+    source.clock.time += SILENCE
+    assert said(source.shirt)[0] != "rate"
 
 
 def test_a_file_says_that_it_has_ended(made):

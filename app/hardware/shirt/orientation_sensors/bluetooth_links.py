@@ -87,6 +87,8 @@ class SensorLinks(threading.Thread):
         What has come, the oldest first; whoever takes it removes it.
     found : list of str
         The addresses of sensors that the newest look has seen and that are not sought.
+    connected : set of str
+        The addresses of the sensors that are connected and were set up.
     ready : threading.Event
         Set as soon as sensors are looked for, or `failure` says why that cannot be.
     failure : str
@@ -100,6 +102,7 @@ class SensorLinks(threading.Thread):
         super().__init__(name="Bluetooth", daemon=True)
         self.notifications: deque[SensorNotification] = deque(maxlen=MOST_WAITING)
         self.found: list[str] = []
+        self.connected = set[str]()
         self.ready = threading.Event()
         self.failure = self.trouble = ""
         self._library = library
@@ -197,12 +200,14 @@ class SensorLinks(threading.Thread):
                 await client.start_notify(NOTIFIED, take)
                 for command in self._set_up:
                     await client.write_gatt_char(WRITTEN, command, response=False)
+            self.connected.add(address)
         except Exception as error:  # the next turn tries again
             self.trouble = library_message(error)
             await self._disconnect(address)
 
     async def _disconnect(self, address: str) -> None:
         client = self._clients.pop(address)
+        self.connected.discard(address)
         with suppress(Exception):  # a connection that is lost cannot be ended
             async with asyncio.timeout(END_LIMIT / 2):
                 await client.disconnect()

@@ -169,13 +169,15 @@ class PlacedSensorsShirt:
         """Take in what comes until `t` (monotonic s)."""
         self._clock.sleep_until(t)
 
-    def _arrivals(self, reasons: Mapping[ArrivalVerdict, Text]) -> Arrivals:
+    def _arrivals(self, reasons: Mapping[ArrivalVerdict, Text], silence: ArrivalVerdict = "nothing") -> Arrivals:
         """Return what arrives; `reasons` has sentences on why no signals do.
 
-        Sensors that send and were not at rest yet give no signals.
+        `silence` is the verdict while nothing comes, not even what is left out. Sensors that send and were not at rest
+        yet give no signals.
         """
         now = self._clock.now()
         verdict = self._watch.verdict(now)
+        verdict = silence if verdict == "nothing" else verdict
         message = GOOD if verdict == "arrives" else reasons.get(verdict, WAITING)
         moving = self._moving(self._frames.silent(now))
         if verdict == "arrives" and moving:
