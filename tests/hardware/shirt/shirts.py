@@ -15,6 +15,7 @@ from hardware.shirt.orientation_sensors.slime_tracker import SlimeTracker
 from hardware.shirt.wired_board import WiredBoard
 
 from app.clock import MonotonicClock
+from app.hardware.shirt.arrival_watch import PATIENCE
 from app.hardware.shirt.brainflow_board import BrainFlowConfig, BrainFlowShirt
 from app.hardware.shirt.brainflow_library import BoardChannels
 from app.hardware.shirt.camera import CameraConfig, CameraShirt
@@ -29,8 +30,10 @@ from app.hardware.shirt.serial_line import SerialConfig, SerialShirt
 from app.hardware.shirt.simulator import SimulatedShirt, SimulatorConfig
 from app.hardware.shirt.udp import UdpConfig, UdpShirt
 from app.layout import Channel, Joint, ShirtLayout
+from app.texts import reader_language
 
 RATE = 100.0
+SILENCE = PATIENCE + 0.01  # s without a frame, after which a shirt has a verdict
 
 
 def small_layout():
@@ -48,6 +51,15 @@ def write_signals(file, count=200, channels=3, rate=RATE):
     rows += [",".join([f"{i / rate:.6f}", *(str(i + 1000 * c) for c in range(channels))]) for i in range(count)]
     file.write_text("\n".join(rows) + "\n")
     return file
+
+
+def said(shirt):
+    """Return a shirt's verdict, and what it says, which every language can say."""
+    arrivals = shirt.arrivals()
+    for language in ("de", "es"):
+        with reader_language(language):
+            assert "{" not in str(arrivals.message)
+    return arrivals.verdict, str(arrivals.message)
 
 
 class SimulatedCase:

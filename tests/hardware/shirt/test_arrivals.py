@@ -7,41 +7,32 @@ import numpy as np
 import pytest
 from fake_clock import FakeClock
 from hardware.shirt.camera_page import CHANNELS
-from hardware.shirt.orientation_sensors.fake_bleak import wait_for
-from hardware.shirt.orientation_sensors.phone_page import PhonePage
-from hardware.shirt.orientation_sensors.slime_tracker import SlimeTracker
 from hardware.shirt.shirts import (
     RATE,
     SHIRTS,
-    BluetoothCase,
+    SILENCE,
     CameraCase,
     FedBoard,
     FramesCase,
     LinesCase,
     LslCase,
-    PhonesCase,
     ReplayedCase,
     SimulatedCase,
-    SlimeVrCase,
     UdpCase,
+    said,
     small_layout,
 )
-from hypothesis import assume, given
-from hypothesis import strategies as st
 
 from app.arrivals import Arrivals, arrivals_from
 from app.hardware.base import HardwareError, ReportingShirt
 from app.hardware.chair.key import new_key
 from app.hardware.registry import make_shirt, parse_shirt
-from app.hardware.shirt.arrival_watch import PATIENCE, RATE_ERROR, ArrivalWatch, LeftOut, RateMeter
-from app.hardware.shirt.orientation_sensors import bluetooth_links
 from app.hardware.shirt.packet import encode
 from app.hardware.shirt.sender import signed_frame
 from app.hardware.shirt.udp import UdpConfig, UdpShirt
 from app.session.equipment.pairing import pair_shirt, shirt_key_file
-from app.texts import Text, reader_language, to_document
+from app.texts import Text, to_document
 
-SILENCE = PATIENCE + 0.01  # s
 SHORT = 0.05  # s for which a shirt waits for what is there already
 WAIT = 2.0  # s
 REPORTING = [made for made in SHIRTS if made is not SimulatedCase]
@@ -55,33 +46,6 @@ class SteadyUdpCase(UdpCase):
         self.clock = FakeClock(50.0)
         config = UdpConfig(kind="udp", port=0, layout=small_layout(), sample_rate=RATE, **config)
         self.shirt = UdpShirt(config, self.clock)
-
-
-@pytest.fixture
-def made(tmp_path):
-    """Return what makes a shirt with its far end, open and silent for longer than a verdict needs."""
-    cases = []
-
-    def make(kind, *arguments, **config):
-        case = kind(tmp_path, *arguments, **config)
-        cases.append(case)
-        case.shirt.open()
-        case.clock.time += SILENCE
-        return case
-
-    yield make
-    for case in cases:
-        case.shirt.close()
-        case.end()
-
-
-def said(shirt):
-    """Return a shirt's verdict, and what it says, which every language can say."""
-    arrivals = shirt.arrivals()
-    for language in ("de", "es"):
-        with reader_language(language):
-            assert "{" not in str(arrivals.message)
-    return arrivals.verdict, str(arrivals.message)
 
 
 # Of every driver.
@@ -112,42 +76,6 @@ def test_the_web_process_gets_what_the_control_process_says():
     assert arrivals_from(None) is None
 
 
-def test_a_verdict_waits_and_takes_the_newest_reason():
-    watch = ArrivalWatch(10.0)
-    assert watch.verdict(12.9) == "waiting"
-    assert watch.verdict(13.1) == "nothing"
-    watch.leave_out(LeftOut(13.2, "foreign"))
-    watch.leave_out(LeftOut(13.3, "late"), 2)
-    assert (watch.verdict(13.4), watch.left_out) == ("late", 3)
-    watch.accept(13.5, 4)
-    assert (watch.verdict(13.6), watch.accepted) == ("arrives", 4)
-    watch.leave_out(LeftOut(13.7, "senders"))
-    assert watch.verdict(13.8) == "senders"  # also while frames come
-    assert watch.verdict(14.1) == "waiting"
-    assert watch.verdict(16.6) == "senders"
-    assert watch.verdict(16.8) == "nothing"
-
-
-@given(st.floats(10, 500), st.floats(10, 500))
-def test_a_rate_is_measured_and_told_from_the_one_that_is_set(rate, expected):
-    assume(abs(abs(rate / expected - 1.0) - RATE_ERROR) > 0.01)
-    meter = RateMeter(expected)
-    for seq in range(round(6 * rate)):
-        meter.add(seq, 1000.0 + seq / rate)
-    assert meter.rate == pytest.approx(rate, rel=1e-6)
-    assert meter.is_wrong == (abs(rate / expected - 1.0) > RATE_ERROR)
-    assert meter.is_low == (meter.is_wrong and rate < expected)
-
-
-def test_a_pause_and_a_restart_are_no_rate():
-    meter = RateMeter(100.0)
-    assert not meter.is_wrong
-    for seq, t in ((0, 0.0), (1, 0.01), (2, 9.0), (3, 9.01), (0, 9.02), (1, 9.03)):
-        meter.add(seq, t)
-    assert np.isnan(meter.rate)
-    assert not (meter.is_wrong or meter.is_low)
-
-
 # The shirt over UDP.
 
 
@@ -158,16 +86,16 @@ def test_a_pause_and_a_restart_are_no_rate():
         ("0.0.0.0", "nothing is sent there, or a firewall keeps it out. Let the shirt send to an address of"),
     ],
 )
-def test_nothing_at_all_at_a_port_names_what_to_open(made, host, words):
-    source = made(SteadyUdpCase, host=host)
+def test_nothing_at_all_at_a_port_names_what_to_open(opened, host, words):
+    source = opened(SteadyUdpCase, host=host)
     verdict, message = said(source.shirt)
     assert verdict == "nothing"
     assert message.startswith(f"Nothing at all arrives at {host}:{source.shirt.address[1]}")
     assert words in message
 
 
-def test_packets_of_another_format_are_counted_measured_and_named(made):
-    source = made(SteadyUdpCase)
+def test_packets_of_another_format_are_counted_measured_and_named(opened):
+    source = opened(SteadyUdpCase)
     source.send_bytes(b"x" * 60)
     assert source.shirt.read(SHORT) is None
     sender = f"127.0.0.1:{source.device.getsockname()[1]}"
@@ -186,15 +114,15 @@ def test_packets_of_another_format_are_counted_measured_and_named(made):
     assert source.shirt.arrivals().left_out == 2
 
 
-def test_a_wrong_or_a_missing_key_is_told_from_another_format(made, tmp_path):
-    unpaired = made(SteadyUdpCase)
+def test_a_wrong_or_a_missing_key_is_told_from_another_format(opened, tmp_path):
+    unpaired = opened(SteadyUdpCase)
     unpaired.send_bytes(signed_frame(new_key(7), 1, 0, 0, [1.0, 2.0, 3.0]))
     assert unpaired.shirt.read(SHORT) is None
     verdict, message = said(unpaired.shirt)
     assert verdict == "refused"
     assert "the shirt signs its frames: choose its key" in message
     keys = tmp_path / "keys"
-    paired = made(SteadyUdpCase, key_file=str(shirt_key_file(keys, pair_shirt(keys).id)))
+    paired = opened(SteadyUdpCase, key_file=str(shirt_key_file(keys, pair_shirt(keys).id)))
     paired.send(0)
     assert paired.shirt.read(SHORT) is None
     verdict, message = said(paired.shirt)
@@ -202,10 +130,10 @@ def test_a_wrong_or_a_missing_key_is_told_from_another_format(made, tmp_path):
     assert "was not signed with this shirt's key" in message
 
 
-def test_frames_that_are_late_are_no_silence(made, tmp_path, monkeypatch):
+def test_frames_that_are_late_are_no_silence(opened, tmp_path, monkeypatch):
     keys = tmp_path / "keys"
     key = pair_shirt(keys)
-    source = made(SteadyUdpCase, key_file=str(shirt_key_file(keys, key.id)))
+    source = opened(SteadyUdpCase, key_file=str(shirt_key_file(keys, key.id)))
     monkeypatch.setattr(source.shirt._newest, "accept", lambda _boot, _seq: True)  # it waits for no disk
 
     def comes(seq, kept):
@@ -222,8 +150,8 @@ def test_frames_that_are_late_are_no_silence(made, tmp_path, monkeypatch):
     assert message.startswith("Frames arrive, but none counts (its frames arrive 0.7 s late")
 
 
-def test_frames_that_were_used_before_are_no_silence(made):
-    source = made(SteadyUdpCase)
+def test_frames_that_were_used_before_are_no_silence(opened):
+    source = opened(SteadyUdpCase)
     source.send(5)
     assert source.shirt.read(WAIT) is not None
     source.clock.time += SILENCE
@@ -234,8 +162,8 @@ def test_frames_that_were_used_before_are_no_silence(made):
     assert "each was used before: start the shirt again" in message
 
 
-def test_another_sender_is_named_whether_the_shirt_is_silent_or_not(made):
-    source, stranger = made(SteadyUdpCase), made(SteadyUdpCase)
+def test_another_sender_is_named_whether_the_shirt_is_silent_or_not(opened):
+    source, stranger = opened(SteadyUdpCase), opened(SteadyUdpCase)
     source.send(0)
     assert source.shirt.read(WAIT) is not None
     for wait in (0.0, SILENCE):
@@ -247,8 +175,8 @@ def test_another_sender_is_named_whether_the_shirt_is_silent_or_not(made):
         assert f"Frames arrive from 127.0.0.1:{stranger.device.getsockname()[1]}, and are left out" in message
 
 
-def test_frames_at_another_rate_than_the_one_that_is_set_say_both(made):
-    source = made(SteadyUdpCase)
+def test_frames_at_another_rate_than_the_one_that_is_set_say_both(opened):
+    source = opened(SteadyUdpCase)
     for seq in range(260):
         source.clock.time += 0.02
         source.send_bytes(encode(seq, seq / 50, np.zeros(3, np.float32)))
@@ -266,8 +194,8 @@ def serial_case(kind):
     return lambda tmp_path: kind(tmp_path, FakeClock(7.0))
 
 
-def test_a_board_without_power_and_one_with_another_format(made):
-    source = made(serial_case(FramesCase))
+def test_a_board_without_power_and_one_with_another_format(opened):
+    source = opened(serial_case(FramesCase))
     verdict, message = said(source.shirt)
     assert verdict == "nothing"
     assert message.startswith(f"Nothing arrives from the shirt on {source.board.device}: check that its board")
@@ -282,8 +210,8 @@ def test_a_board_without_power_and_one_with_another_format(made):
 
 
 @pytest.mark.parametrize(("kind", "rate"), [(FramesCase, 50), (LinesCase, 10)])
-def test_a_board_at_another_rate(made, kind, rate):
-    source = made(serial_case(kind))
+def test_a_board_at_another_rate(opened, kind, rate):
+    source = opened(serial_case(kind))
     source.board.rate = float(rate)
     for _ in range(6 * rate):
         source.clock.time += 1 / rate
@@ -294,8 +222,8 @@ def test_a_board_at_another_rate(made, kind, rate):
     assert message.startswith(f"{rate} frames a second arrive, but 100 are set.")
 
 
-def test_a_pulled_cable_names_the_lines_that_are_there(made):
-    source = made(serial_case(FramesCase))
+def test_a_pulled_cable_names_the_lines_that_are_there(opened):
+    source = opened(serial_case(FramesCase))
     source.board.pull()
     assert source.shirt.read(SHORT) is None
     verdict, message = said(source.shirt)
@@ -323,8 +251,8 @@ def test_a_line_that_is_not_there_names_those_that_are(monkeypatch, there, words
 # Streams of LSL.
 
 
-def test_a_stream_that_sends_nothing_and_one_that_has_ended(made):
-    source = made(LslCase)
+def test_a_stream_that_sends_nothing_and_one_that_has_ended(opened):
+    source = opened(LslCase)
     verdict, message = said(source.shirt)
     assert verdict == "nothing"
     assert message.startswith("No samples come from Arm (source ID arm-1")
@@ -366,11 +294,11 @@ def test_a_board_at_another_rate_than_brainflow_knows_of_it(rate, verdict):
         assert message.startswith(f"{rate} samples a second arrive from the board CYTON_BOARD, but its stream has 100")
 
 
-# A camera, phones, trackers, Bluetooth sensors, a file.
+# A camera, a file.
 
 
-def test_a_camera_says_why_it_shows_nothing(made):
-    source = made(CameraCase)
+def test_a_camera_says_why_it_shows_nothing(opened):
+    source = opened(CameraCase)
     assert said(source.shirt)[0] == "nothing"
     source.page.send()
     assert said(source.shirt)[0] == "arrives"
@@ -387,8 +315,8 @@ def test_a_camera_says_why_it_shows_nothing(made):
     assert said(source.shirt)[0] == "nobody"
 
 
-def test_a_camera_that_reads_too_few_pictures_says_how_many(made):
-    source = made(CameraCase)
+def test_a_camera_that_reads_too_few_pictures_says_how_many(opened):
+    source = opened(CameraCase)
     for _ in range(60):
         source.clock.time += 0.2
         source.page.send()
@@ -397,120 +325,8 @@ def test_a_camera_that_reads_too_few_pictures_says_how_many(made):
     assert message.startswith("The camera reads 5 pictures a second, too few for 30 frames")
 
 
-def test_phones_say_why_they_show_nothing(made):
-    source = made(PhonesCase)
-    assert said(source.shirt)[0] == "nothing"
-    PhonePage(source.shirt, source.clock, number=2).send()
-    verdict, message = said(source.shirt)
-    assert verdict == "unplaced"
-    assert message.startswith("On no part of the body: phone 2.")
-    source.shirt.add_sample(9, b"hello", source.clock.now())
-    assert said(source.shirt)[0] == "foreign"
-    source.page.send()
-    verdict, message = said(source.shirt)
-    assert verdict == "moving"
-    assert message.startswith("Not yet at rest: Right forearm.")
-    source.clock.time += SILENCE
-    source.page.send(delay=0.9)
-    verdict, message = said(source.shirt)
-    assert verdict == "late"
-    assert message.startswith("Messages of the phones arrive 0.9 s late")
-
-
-def test_trackers_say_why_they_show_nothing(made):
-    source = made(SlimeVrCase)
-    place = f"127.0.0.1:{source.shirt.address[1]}"
-    verdict, message = said(source.shirt)
-    assert verdict == "nothing"
-    assert message.startswith(f"Nothing at all arrives at {place}. Only programs on this machine")
-    stranger = SlimeTracker("00:00:00:00:00:0A")
-    for datagram, expected, words in (
-        (stranger.handshake(), "idle", "A tracker answers, but no movement comes from it."),
-        (b"junk", "foreign", "1 packet arrived that is no frame of this shirt. It has 4 bytes"),
-        (stranger.rotation(), "unplaced", "On no part of the body: 00:00:00:00:00:0A."),
-        (stranger.packet(0), "unplaced", "On no part of the body: 00:00:00:00:00:0A."),
-        (source.tracker.handshake(), "unplaced", "On no part of the body: 00:00:00:00:00:0A."),
-        (source.tracker.rotation(), "moving", "Not yet at rest: Right forearm."),
-    ):
-        source.send(datagram)
-        source.shirt.read(0.0)
-        verdict, message = said(source.shirt)
-        assert (verdict, message.startswith(words)) == (expected, True), message
-
-
-def at_once(monkeypatch):
-    """Let Bluetooth's connections be checked at once, so that no test waits for them."""
-    monkeypatch.setattr(bluetooth_links, "LOOK", 0.05)
-    monkeypatch.setattr(bluetooth_links, "LOOK_AGAIN", 0.02)
-
-
-def test_bluetooth_sensors_say_why_they_show_nothing(made, monkeypatch):
-    at_once(monkeypatch)
-    source = made(BluetoothCase)
-    links = source.shirt._links
-
-    def sends(content=None):
-        """Let the sensor send, and return what the shirt says of it."""
-        source.sensor.send(content)
-        source.shirt.read(0.0)
-        return said(source.shirt)
-
-    wait_for(lambda: links.connected)
-    assert said(source.shirt)[0] == "idle"
-    verdict, message = sends(b"junk")
-    assert verdict == "foreign"
-    assert message.startswith("1 message arrived that such a sensor does not send")
-    frame = source.sensor.motion()
-    verdict, message = sends(frame)
-    assert verdict == "moving"
-    assert message.startswith("Not yet at rest: Right forearm.")
-    source.clock.time += SILENCE
-    verdict, message = sends(frame)
-    assert verdict == "repeated"
-    assert message.startswith("A sensor sends one measurement again and again")
-    assert source.shirt.arrivals()[2:] == (1, 2)
-
-
-def test_bluetooth_sensors_that_cannot_be_reached_say_what_to_do(made, monkeypatch):
-    at_once(monkeypatch)
-    source = made(BluetoothCase)
-    links = source.shirt._links
-    wait_for(lambda: links.connected)
-    source.sensor.switch_off()
-    wait_for(lambda: not links.connected)
-    verdict, message = said(source.shirt)
-    assert verdict == "nothing"
-    assert message.startswith("No sensor is in reach: switch them on")
-    source.bleak.add_sensor("00:00:00:00:00:0A")
-    wait_for(lambda: source.shirt.found)
-    verdict, message = said(source.shirt)
-    assert verdict == "unplaced"
-    assert message.startswith("Silent: Right forearm.")
-    assert "On no part of the body: 00:00:00:00:00:0A." in message
-    source.bleak.failure = OSError("org.bluez.Error.NotReady")  # the adapter was pulled
-    wait_for(lambda: links.trouble)
-    verdict, message = said(source.shirt)
-    assert verdict == "nothing"
-    assert message.startswith("Nothing arrives over Bluetooth (org.bluez.Error.NotReady): see that")
-
-
-def test_a_bluetooth_sensor_that_sends_too_seldom_is_named(made, monkeypatch):
-    at_once(monkeypatch)
-    source = made(BluetoothCase)
-    source.sensor.wait_until_connected()
-    for _ in range(120):
-        source.clock.time += 1 / 20
-        source.sensor.send()
-        source.shirt.read(0.0)
-    verdict, message = said(source.shirt)
-    assert verdict == "rate"
-    assert message.startswith("Right forearm: its sensor sends 20 times a second, too few for 100 frames.")
-    source.clock.time += SILENCE
-    assert said(source.shirt)[0] != "rate"
-
-
-def test_a_file_says_that_it_has_ended(made):
-    source = made(ReplayedCase)
+def test_a_file_says_that_it_has_ended(opened):
+    source = opened(ReplayedCase)
     while source.shirt.read(1.0) is not None:
         pass
     verdict, message = said(source.shirt)

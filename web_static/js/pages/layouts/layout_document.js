@@ -40,7 +40,7 @@ export function newLayout(name, count, label) {
 
 /** @param {string} name @param {string} joint @returns {Channel} */
 function blank(name, joint) {
-  return { name, joint, position: null, side: null, ring: null, place: null, unit: null };
+  return { name, joint, position: null, side: null, ring: null, place: null, unit: null, liveness: null };
 }
 
 /** @param {ShirtLayout} layout @param {number} index of the channel @param {Partial<Channel>} changes @returns {ShirtLayout} */
