@@ -74,9 +74,21 @@ const send = (seconds, values, alive = true) => {
   }
   return [moving.value, most.value];
 };
-assert.deepEqual(send(2, () => [0, 0]), [[], -1]);
-assert.deepEqual(send(2, (t) => [wave(t), 2 * wave(t)]), [[0, 1], 1]);
-assert.deepEqual(send(0.1, (t) => [wave(t), 2 * wave(t)], false), [[], -1]);
+assert.deepEqual(
+  send(2, () => [0, 0]),
+  [[], -1],
+);
+assert.deepEqual(
+  send(2, (t) => [wave(t), 2 * wave(t)]),
+  [[0, 1], 1],
+);
+assert.deepEqual(
+  send(0.1, (t) => [wave(t), 2 * wave(t)], false),
+  [[], -1],
+);
 left.abort();
-assert.deepEqual(send(2, (t) => [wave(t), 2 * wave(t)]), [[], -1]);
+assert.deepEqual(
+  send(2, (t) => [wave(t), 2 * wave(t)]),
+  [[], -1],
+);
 console.log("the movements of sensors hold");
