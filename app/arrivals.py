@@ -17,7 +17,7 @@ ArrivalVerdict = Literal[
     "rate",  # frames at another rate than the one that is set
     "unplaced",  # signals of sensors that are on no part of the body
     "moving",  # signals of sensors that were not at rest yet
-    "idle",  # signs of life of trackers, and no movement
+    "idle",  # signs of life of sensors, and no movement
     "nobody",  # pictures without a person
     "unopened",  # nothing, for the device cannot be opened
     "gone",  # nothing more: the device is gone, or was closed

@@ -8,19 +8,9 @@ from typing import TYPE_CHECKING, Annotated, Any, Literal
 from pydantic import Field
 
 from app.hardware.addresses import FilePlace, Host, SerialLine
-from app.hardware.shirt import (
-    bluetooth,
-    brainflow_board,
-    camera,
-    lsl,
-    phones,
-    replay,
-    serial_line,
-    simulator,
-    slimevr,
-    udp,
-)
+from app.hardware.shirt import brainflow_board, camera, lsl, replay, serial_line, simulator, udp
 from app.hardware.shirt.kind import ShirtConfig, ShirtKind
+from app.hardware.shirt.orientation_sensors import bluetooth, phones, slimevr
 from app.ports import FREEPIE_PORT, OPENTRACK_PORT, RECEIVER_PORT
 from app.quantities import Count, Document, Port, Title
 from app.speed_limits import Speeds

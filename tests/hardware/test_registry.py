@@ -22,8 +22,8 @@ from app.hardware.registry import (
     parse_shirt,
 )
 from app.hardware.shirt import kind as shirt_kind
-from app.hardware.shirt.body_parts import layout_of
 from app.hardware.shirt.kind import NO_CABLE, NO_KEY, NOBODY_PROVES_IT, NOBODY_WEARS_IT, ShirtKind, Trust
+from app.hardware.shirt.orientation_sensors.body_parts import layout_of
 from app.hardware.shirt.replay import ReplayConfig
 from app.hardware.shirt.simulator import SimulatorConfig
 from app.hardware.shirt.udp import UdpConfig, UdpShirt

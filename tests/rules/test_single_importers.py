@@ -26,9 +26,10 @@ EXCEPTIONS: dict[str, tuple[str, ...]] = {
         "app.hardware.body.steering",
         "app.hardware.chair.telemetry",
         "app.hardware.shirt.brainflow_library",
-        "app.hardware.shirt.lsl_streams",
+        "app.hardware.shirt.lsl_reception",
+        "app.hardware.shirt.orientation_sensors.bluetooth_links",
+        "app.hardware.shirt.orientation_sensors.slimevr_trackers",
         "app.hardware.shirt.serial_bytes",
-        "app.hardware.shirt.slimevr_trackers",
         "app.host.authority",
         "app.pipeline.commands",
         "app.pipeline.movement_check",
@@ -58,9 +59,6 @@ EXCEPTIONS: dict[str, tuple[str, ...]] = {
     "how large a request may be is read apart from whose page may ask": ("app.api.body_limits",),
     "what is accepted of foreign files is read apart from the routes of the clinic's own plans": (
         "app.api.routes.plan_uploads",
-    ),
-    "bleak's thread is read apart from the shirt, which the control loop calls": (
-        "app.hardware.shirt.bluetooth_links",
     ),
     "the computing process reads a file for a draft, and loads neither routes nor database": (
         "app.features.layouts.drafts",

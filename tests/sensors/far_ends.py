@@ -11,12 +11,12 @@ from pathlib import Path
 
 import numpy as np
 from hardware.shirt.camera_page import CHANNELS, message_of
-from hardware.shirt.phone_page import PhonePage
-from hardware.shirt.slime_tracker import SlimeTracker
+from hardware.shirt.orientation_sensors.phone_page import PhonePage
+from hardware.shirt.orientation_sensors.slime_tracker import SlimeTracker
 from hardware.shirt.wired_board import WiredBoard, frame_bytes
 
 from app.clock import MonotonicClock
-from app.hardware.shirt.orientation import exponential
+from app.hardware.shirt.orientation_sensors.orientation import exponential
 from app.hardware.shirt.packet import encode
 from app.lsl_library import load_lsl
 

@@ -8,8 +8,8 @@ import numpy as np
 from fake_clock import FakeClock
 from hardware.shirt.camera_page import CHANNELS
 from hardware.shirt.fake_lsl import FakeLsl
-from hardware.shirt.phone_page import PhonePage
-from hardware.shirt.slime_tracker import SlimeTracker
+from hardware.shirt.orientation_sensors.phone_page import PhonePage
+from hardware.shirt.orientation_sensors.slime_tracker import SlimeTracker
 from hardware.shirt.wired_board import WiredBoard
 from sensors.far_ends import (
     MACS,
@@ -35,11 +35,11 @@ from app.hardware.base import HardwareError
 from app.hardware.body.person import SimulatedPerson
 from app.hardware.shirt.camera import HEADER, CameraConfig, CameraShirt
 from app.hardware.shirt.lsl import LslConfig, LslShirt
+from app.hardware.shirt.orientation_sensors.phones import MESSAGE, PhonesConfig, PhonesShirt
+from app.hardware.shirt.orientation_sensors.slimevr import SlimeVrConfig, SlimeVrShirt
 from app.hardware.shirt.packet import encode
-from app.hardware.shirt.phones import MESSAGE, PhonesConfig, PhonesShirt
 from app.hardware.shirt.serial_line import SerialConfig, SerialShirt
 from app.hardware.shirt.simulator import SimulatedShirt, SimulatorConfig
-from app.hardware.shirt.slimevr import SlimeVrConfig, SlimeVrShirt
 from app.hardware.shirt.udp import UdpConfig, UdpShirt
 from app.layout import Channel, Joint, ShirtLayout
 

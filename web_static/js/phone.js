@@ -168,7 +168,7 @@ function Page({ phone }) {
     "section",
     { class: "phone", "data-state": state },
     told && h("p", { class: "quiet" }, t("phone-number", { number: told.number })),
-    h("h1", { role: "status" }, t(`phone-${state}`)),
+    h("div", { role: "status" }, h("h1", {}, t(`phone-${state}`))),
     state === "sends" && h("p", { class: "part" }, told?.part ?? t("phone-no-part")),
     h("p", {}, t(`phone-${state}-lead`)),
     isStart && h("button", { type: "button", class: "btn go large", onClick: () => phone.send() }, t("phone-start")),

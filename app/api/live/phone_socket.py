@@ -1,4 +1,7 @@
-"""The socket of a phone that is a sensor: it sends how it is held (`app/hardware/shirt/phones.py`)."""
+"""The socket of a phone that is a sensor: it sends how the phone is held.
+
+`app/hardware/shirt/orientation_sensors/phones.py` reads what it sends.
+"""
 
 import asyncio
 from collections.abc import Callable

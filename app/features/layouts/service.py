@@ -66,7 +66,7 @@ def delete_layout(db: Session, layout_id: int, in_use: ShirtLayout | None) -> Cl
 
 
 def _save(db: Session, row: ClinicLayout, layout: ShirtLayout) -> None:
-    row.name, row.document = layout.name, layout.model_dump(mode="json")
+    row.name, row.document = layout.name, layout.without_liveness.model_dump(mode="json")
     row.version, row.saved = row.version + 1, utc_now()
     db.flush()
 

@@ -73,27 +73,34 @@ class RateMeter:
     ----------
     rate : float
         Frames per second (Hz) over the last RATE_TIME, NaN before that.
+    newest_t : float
+        When the newest frame came, s.
     """
 
-    __slots__ = ("_expected", "_newest_t", "_seq", "_t", "rate")
+    __slots__ = ("_expected", "_seq", "_t", "newest_t", "rate")
 
     def __init__(self, expected: float) -> None:
         """`expected` is the rate that is set, Hz."""
         self.rate = math.nan
         self._expected = expected
         self._seq = 0  # of the frame with which the measurement began
-        self._t = self._newest_t = -math.inf  # s, of that frame and of the newest one
+        self._t = self.newest_t = -math.inf  # s, of that frame and of the newest one
 
     @property
     def is_wrong(self) -> bool:
         """Whether the rate is another one than expected."""
         return abs(self.rate / self._expected - 1.0) > RATE_ERROR
 
+    @property
+    def is_low(self) -> bool:
+        """Whether the rate is lower than expected."""
+        return self.rate / self._expected < 1.0 - RATE_ERROR
+
     def add(self, seq: int, t: float) -> None:
         """Take the number of a frame and its time (s of any one clock); a gap or a step back begins anew."""
-        if not 0.0 <= t - self._newest_t <= ALIVE or seq < self._seq:
+        if not 0.0 <= t - self.newest_t <= ALIVE or seq < self._seq:
             self._seq, self._t = seq, t
-        self._newest_t = t
+        self.newest_t = t
         if t - self._t >= RATE_TIME:
             self.rate = (seq - self._seq) / (t - self._t)
             self._seq, self._t = seq, t

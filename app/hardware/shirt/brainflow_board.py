@@ -1,6 +1,5 @@
 """A board that BrainFlow reads as a shirt: OpenBCI's, and the amplifiers and movement sensors of other makers."""
 
-import math
 import threading
 from collections import deque
 from collections.abc import Callable
@@ -12,9 +11,11 @@ from numpy.typing import NDArray
 from pydantic import Field
 from pydantic.config import JsonDict
 
+from app.arrivals import Arrivals
 from app.clock import Clock
 from app.hardware.addresses import Host, SerialLine
 from app.hardware.base import HardwareError, library_message
+from app.hardware.shirt.arrival_watch import GOOD, WAITING, ArrivalWatch, RateMeter
 from app.hardware.shirt.brainflow_library import (
     BRAINFLOW_MISSING,
     BoardChannels,
@@ -25,7 +26,16 @@ from app.hardware.shirt.brainflow_library import (
     chosen_channels,
     load_brainflow,
 )
-from app.hardware.shirt.kind import LOWEST_RATE, FieldTexts, OwnLayout, ShirtConfig, ShirtKind, Trust, page_texts
+from app.hardware.shirt.kind import (
+    LOWEST_RATE,
+    FieldTexts,
+    OwnLayout,
+    ShirtConfig,
+    ShirtKind,
+    SourceFacts,
+    Trust,
+    page_texts,
+)
 from app.hardware.shirt.page_clock import PageClock
 from app.hardware.shirt.stream_join import LONGEST_LAG, LedRows, StreamSample, StreamSamples
 from app.layout import ShirtLayout
@@ -65,6 +75,9 @@ class BrainFlowConfig(ShirtConfig):
         Text("shirtdev-brainflow-title"),
         about=Text("shirtdev-brainflow-about"),
         in_use=Text("shirtdev-brainflow-in-use", board="{board}"),
+        facts=SourceFacts(
+            Text("shirtdev-brainflow-needs"), Text("shirtdev-brainflow-costs"), Text("shirtdev-brainflow-takes")
+        ),
     )
 
     kind: Literal["brainflow"]
@@ -205,7 +218,9 @@ class BrainFlowShirt:
         self._rows = LedRows([self._samples], 0)
         self._board_clock = PageClock()
         self._age = 0.0  # s, of the newest sample when it was taken over
-        self._frame_t = -math.inf  # monotonic s
+        self._received = 0  # samples
+        self._watch = ArrivalWatch(self._clock.now())
+        self._rate = RateMeter(channels.rate)
 
     @property
     def layout(self) -> ShirtLayout:
@@ -264,7 +279,7 @@ class BrainFlowShirt:
             now = self._clock.now()
             row = self._rows.next(now)
             if row is not None:
-                self._frame_t = now
+                self._watch.accept(now)
                 return SensorFrame(row.seq & 0xFFFFFFFF, row.t, now, row.values)
             if now >= deadline:
                 return None
@@ -283,8 +298,8 @@ class BrainFlowShirt:
         board, reader = self._config.board, self._reader
         if reader is None:
             return Text("shirtdev-brainflow-closed")
-        if self._clock.now() - self._frame_t > ALIVE:
-            return Text("shirtdev-brainflow-silent", board=board, why=reader.trouble or "none")
+        if self._clock.now() - self._watch.accepted_t > ALIVE:
+            return self._silence(reader)
         return Text(
             "shirtdev-brainflow",
             board=board,
@@ -294,12 +309,31 @@ class BrainFlowShirt:
             lost=self.lost,
         )
 
+    def arrivals(self) -> Arrivals:
+        """Return what arrives from the board."""
+        reader, verdict = self._reader, self._watch.verdict(self._clock.now())
+        if reader is None:
+            return Arrivals("gone", self.description())
+        message = GOOD if verdict == "arrives" else WAITING
+        if verdict == "arrives" and self._rate.is_wrong:
+            verdict = "rate"
+            rates = {"measured": round(self._rate.rate), "expected": round(self.sample_rate, 2)}
+            message = Text("arrivals-brainflow-rate", board=self._config.board, **rates)
+        elif verdict == "nothing":
+            verdict = "gone" if reader.trouble else verdict
+            message = self._silence(reader)
+        return Arrivals(verdict, message, self._watch.accepted)
+
     def close(self) -> None:
         """Release the board; closing twice does no harm."""
         reader, self._reader = self._reader, None
         if reader is not None:
             reader.end()
         self._samples.waiting.clear()
+
+    def _silence(self, reader: BoardReader) -> Text:
+        """Return in words why nothing comes, as far as that is known, with what to do."""
+        return Text("shirtdev-brainflow-silent", board=self._config.board, why=reader.trouble or "none")
 
     def _parameters(self, library: BrainFlowLibrary) -> Any:
         """Return BrainFlow's parameters with what people filled in."""
@@ -316,6 +350,8 @@ class BrainFlowShirt:
         reader, rows = self._reader, list(self._channels.rows.values())
         while reader is not None and reader.chunks:
             t, chunk = reader.chunks.popleft()
+            self._received += chunk.shape[1]
+            self._rate.add(self._received, t)
             stamps = chunk[self._channels.timestamp]
             gaps = np.diff(stamps)
             gaps[~((gaps >= 0.0) & (gaps <= LONGEST_LAG))] = 1.0 / self._channels.rate  # a step of the time; also NaN

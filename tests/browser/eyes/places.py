@@ -191,6 +191,7 @@ PLACES: dict[str, Open] = {
     "patient's screen, stopped": steps(stopped_by(Fault.STOP_TABLET), patient_screen, shows(".band.stopped")),
     "stereo": settled("stereo.html"),
     "tablet": settled("tablet.html"),
+    "phone": settled("phone.html"),
     "share link, none": settled("share.html"),
     "share link, PIN": settled("share.html#a-link"),
     "share link": shared_records,

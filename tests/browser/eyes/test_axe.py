@@ -84,7 +84,8 @@ def test_what_moves_is_found(page, clinic):
 
 def test_one_size_and_theme_of_every_page(page, clinic):
     found = {}
-    addresses, loaded = set(), {"/index.html", "/docs.html"}  # the frames of "/" and of "/docs/"
+    # The frames of "/" and of "/docs/", and one that shows nothing: pictures of a camera are read in it.
+    addresses, loaded = set(), {"/index.html", "/docs.html", "/camera.html"}
     page.on("request", lambda request: loaded.add(path_of(request.url)))
     page.emulate_media(reduced_motion="reduce")
     for number, (name, open_place) in enumerate(VISITED.items()):

@@ -89,6 +89,13 @@ def test_what_is_no_layout_is_one_sentence_and_nothing_is_saved(
     assert signed_in.good("GET", "/layouts")["own"] == []
 
 
+def test_nobody_but_a_driver_says_which_channels_are_live(signed_in: Clinic) -> None:
+    """A shirt in use has such a layout as it is saved, so that it is found again."""
+    claimed = SMALL | {"channels": [channel | {"liveness": "arrival"} for channel in SMALL["channels"]]}
+    (entry,) = signed_in.good("POST", "/layouts", json=claimed)["own"]
+    assert entry["layout"] == SMALL
+
+
 def test_there_is_an_end_of_them(signed_in: Clinic, monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr(service, "MOST_LAYOUTS", 1)
     saved(signed_in, SMALL)

@@ -1,33 +1,39 @@
 """Shirts for tests, each with a way to send the next frames."""
 
 import socket
+from collections import deque
+from types import SimpleNamespace
 
 import numpy as np
 from fake_clock import FakeClock
 from hardware.shirt.camera_page import CameraPage
-from hardware.shirt.fake_bleak import FakeBleak
 from hardware.shirt.fake_brainflow import CYTON, FakeBrainFlow
 from hardware.shirt.fake_lsl import FakeLsl
-from hardware.shirt.phone_page import PhonePage
-from hardware.shirt.slime_tracker import SlimeTracker
+from hardware.shirt.orientation_sensors.fake_bleak import FakeBleak
+from hardware.shirt.orientation_sensors.phone_page import PhonePage
+from hardware.shirt.orientation_sensors.slime_tracker import SlimeTracker
 from hardware.shirt.wired_board import WiredBoard
 
 from app.clock import MonotonicClock
-from app.hardware.shirt.bluetooth import BluetoothConfig, BluetoothShirt
+from app.hardware.shirt.arrival_watch import PATIENCE
 from app.hardware.shirt.brainflow_board import BrainFlowConfig, BrainFlowShirt
+from app.hardware.shirt.brainflow_library import BoardChannels
 from app.hardware.shirt.camera import CameraConfig, CameraShirt
 from app.hardware.shirt.lsl import LslConfig, LslShirt
-from app.hardware.shirt.orientation_frames import REST_TIME
+from app.hardware.shirt.orientation_sensors.bluetooth import BluetoothConfig, BluetoothShirt
+from app.hardware.shirt.orientation_sensors.orientation_frames import REST_TIME
+from app.hardware.shirt.orientation_sensors.phones import PhonesConfig, PhonesShirt
+from app.hardware.shirt.orientation_sensors.slimevr import SlimeVrConfig, SlimeVrShirt
 from app.hardware.shirt.packet import encode
-from app.hardware.shirt.phones import PhonesConfig, PhonesShirt
 from app.hardware.shirt.replay import ReplayConfig, ReplayedShirt
 from app.hardware.shirt.serial_line import SerialConfig, SerialShirt
 from app.hardware.shirt.simulator import SimulatedShirt, SimulatorConfig
-from app.hardware.shirt.slimevr import SlimeVrConfig, SlimeVrShirt
 from app.hardware.shirt.udp import UdpConfig, UdpShirt
 from app.layout import Channel, Joint, ShirtLayout
+from app.texts import reader_language
 
 RATE = 100.0
+SILENCE = PATIENCE + 0.01  # s without a frame, after which a shirt has a verdict
 
 
 def small_layout():
@@ -45,6 +51,15 @@ def write_signals(file, count=200, channels=3, rate=RATE):
     rows += [",".join([f"{i / rate:.6f}", *(str(i + 1000 * c) for c in range(channels))]) for i in range(count)]
     file.write_text("\n".join(rows) + "\n")
     return file
+
+
+def said(shirt):
+    """Return a shirt's verdict, and what it says, which every language can say."""
+    arrivals = shirt.arrivals()
+    for language in ("de", "es"):
+        with reader_language(language):
+            assert "{" not in str(arrivals.message)
+    return arrivals.verdict, str(arrivals.message)
 
 
 class SimulatedCase:
@@ -231,6 +246,31 @@ class BrainFlowCase:
 
     def end(self):
         """Do nothing: no other resource is held."""
+
+
+class FedBoard:
+    """A board of BrainFlow with one channel on a fake clock, which is given what its thread would take over."""
+
+    def __init__(self):
+        self.clock = FakeClock(50.0)
+        config = BrainFlowConfig(kind="brainflow", layout=small_layout())
+        self.shirt = BrainFlowShirt(config, self.clock, FakeBrainFlow)
+        self.shirt._begin(BoardChannels({"accel_1": 0}, 1, RATE))
+        self.chunks = deque()
+        self.reader = SimpleNamespace(chunks=self.chunks, trouble="", wait=self.wait, end=lambda: None)
+        self.shirt._reader = self.reader
+
+    def wait(self, longest):
+        self.clock.time += longest
+
+    def frames(self, stamps, delay=0.0):
+        """Return the frames of samples with these times (s), which are numbered and taken over at once."""
+        self.clock.time += delay
+        self.chunks.append((self.clock.time, np.array([np.arange(float(len(stamps))), stamps])))
+        found = []
+        while (frame := self.shirt.read(0.0)) is not None:
+            found.append(frame)
+        return found
 
 
 class CameraCase:

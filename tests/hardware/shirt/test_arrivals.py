@@ -7,37 +7,32 @@ import numpy as np
 import pytest
 from fake_clock import FakeClock
 from hardware.shirt.camera_page import CHANNELS
-from hardware.shirt.phone_page import PhonePage
 from hardware.shirt.shirts import (
     RATE,
     SHIRTS,
+    SILENCE,
     CameraCase,
+    FedBoard,
     FramesCase,
     LinesCase,
     LslCase,
-    PhonesCase,
     ReplayedCase,
     SimulatedCase,
-    SlimeVrCase,
     UdpCase,
+    said,
     small_layout,
 )
-from hardware.shirt.slime_tracker import SlimeTracker
-from hypothesis import assume, given
-from hypothesis import strategies as st
 
 from app.arrivals import Arrivals, arrivals_from
 from app.hardware.base import HardwareError, ReportingShirt
 from app.hardware.chair.key import new_key
 from app.hardware.registry import make_shirt, parse_shirt
-from app.hardware.shirt.arrival_watch import PATIENCE, RATE_ERROR, ArrivalWatch, LeftOut, RateMeter
 from app.hardware.shirt.packet import encode
 from app.hardware.shirt.sender import signed_frame
 from app.hardware.shirt.udp import UdpConfig, UdpShirt
 from app.session.equipment.pairing import pair_shirt, shirt_key_file
-from app.texts import Text, reader_language, to_document
+from app.texts import Text, to_document
 
-SILENCE = PATIENCE + 0.01  # s
 SHORT = 0.05  # s for which a shirt waits for what is there already
 WAIT = 2.0  # s
 REPORTING = [made for made in SHIRTS if made is not SimulatedCase]
@@ -51,33 +46,6 @@ class SteadyUdpCase(UdpCase):
         self.clock = FakeClock(50.0)
         config = UdpConfig(kind="udp", port=0, layout=small_layout(), sample_rate=RATE, **config)
         self.shirt = UdpShirt(config, self.clock)
-
-
-@pytest.fixture
-def made(tmp_path):
-    """Return what makes a shirt with its far end, open and silent for longer than a verdict needs."""
-    cases = []
-
-    def make(kind, *arguments, **config):
-        case = kind(tmp_path, *arguments, **config)
-        cases.append(case)
-        case.shirt.open()
-        case.clock.time += SILENCE
-        return case
-
-    yield make
-    for case in cases:
-        case.shirt.close()
-        case.end()
-
-
-def said(shirt):
-    """Return a shirt's verdict, and what it says, which every language can say."""
-    arrivals = shirt.arrivals()
-    for language in ("de", "es"):
-        with reader_language(language):
-            assert "{" not in str(arrivals.message)
-    return arrivals.verdict, str(arrivals.message)
 
 
 # Of every driver.
@@ -108,41 +76,6 @@ def test_the_web_process_gets_what_the_control_process_says():
     assert arrivals_from(None) is None
 
 
-def test_a_verdict_waits_and_takes_the_newest_reason():
-    watch = ArrivalWatch(10.0)
-    assert watch.verdict(12.9) == "waiting"
-    assert watch.verdict(13.1) == "nothing"
-    watch.leave_out(LeftOut(13.2, "foreign"))
-    watch.leave_out(LeftOut(13.3, "late"), 2)
-    assert (watch.verdict(13.4), watch.left_out) == ("late", 3)
-    watch.accept(13.5, 4)
-    assert (watch.verdict(13.6), watch.accepted) == ("arrives", 4)
-    watch.leave_out(LeftOut(13.7, "senders"))
-    assert watch.verdict(13.8) == "senders"  # also while frames come
-    assert watch.verdict(14.1) == "waiting"
-    assert watch.verdict(16.6) == "senders"
-    assert watch.verdict(16.8) == "nothing"
-
-
-@given(st.floats(10, 500), st.floats(10, 500))
-def test_a_rate_is_measured_and_told_from_the_one_that_is_set(rate, expected):
-    assume(abs(abs(rate / expected - 1.0) - RATE_ERROR) > 0.01)
-    meter = RateMeter(expected)
-    for seq in range(round(6 * rate)):
-        meter.add(seq, 1000.0 + seq / rate)
-    assert meter.rate == pytest.approx(rate, rel=1e-6)
-    assert meter.is_wrong == (abs(rate / expected - 1.0) > RATE_ERROR)
-
-
-def test_a_pause_and_a_restart_are_no_rate():
-    meter = RateMeter(100.0)
-    assert not meter.is_wrong
-    for seq, t in ((0, 0.0), (1, 0.01), (2, 9.0), (3, 9.01), (0, 9.02), (1, 9.03)):
-        meter.add(seq, t)
-    assert np.isnan(meter.rate)
-    assert not meter.is_wrong
-
-
 # The shirt over UDP.
 
 
@@ -153,16 +86,16 @@ def test_a_pause_and_a_restart_are_no_rate():
         ("0.0.0.0", "nothing is sent there, or a firewall keeps it out. Let the shirt send to an address of"),
     ],
 )
-def test_nothing_at_all_at_a_port_names_what_to_open(made, host, words):
-    source = made(SteadyUdpCase, host=host)
+def test_nothing_at_all_at_a_port_names_what_to_open(opened, host, words):
+    source = opened(SteadyUdpCase, host=host)
     verdict, message = said(source.shirt)
     assert verdict == "nothing"
     assert message.startswith(f"Nothing at all arrives at {host}:{source.shirt.address[1]}")
     assert words in message
 
 
-def test_packets_of_another_format_are_counted_measured_and_named(made):
-    source = made(SteadyUdpCase)
+def test_packets_of_another_format_are_counted_measured_and_named(opened):
+    source = opened(SteadyUdpCase)
     source.send_bytes(b"x" * 60)
     assert source.shirt.read(SHORT) is None
     sender = f"127.0.0.1:{source.device.getsockname()[1]}"
@@ -181,15 +114,15 @@ def test_packets_of_another_format_are_counted_measured_and_named(made):
     assert source.shirt.arrivals().left_out == 2
 
 
-def test_a_wrong_or_a_missing_key_is_told_from_another_format(made, tmp_path):
-    unpaired = made(SteadyUdpCase)
+def test_a_wrong_or_a_missing_key_is_told_from_another_format(opened, tmp_path):
+    unpaired = opened(SteadyUdpCase)
     unpaired.send_bytes(signed_frame(new_key(7), 1, 0, 0, [1.0, 2.0, 3.0]))
     assert unpaired.shirt.read(SHORT) is None
     verdict, message = said(unpaired.shirt)
     assert verdict == "refused"
     assert "the shirt signs its frames: choose its key" in message
     keys = tmp_path / "keys"
-    paired = made(SteadyUdpCase, key_file=str(shirt_key_file(keys, pair_shirt(keys).id)))
+    paired = opened(SteadyUdpCase, key_file=str(shirt_key_file(keys, pair_shirt(keys).id)))
     paired.send(0)
     assert paired.shirt.read(SHORT) is None
     verdict, message = said(paired.shirt)
@@ -197,10 +130,10 @@ def test_a_wrong_or_a_missing_key_is_told_from_another_format(made, tmp_path):
     assert "was not signed with this shirt's key" in message
 
 
-def test_frames_that_are_late_are_no_silence(made, tmp_path, monkeypatch):
+def test_frames_that_are_late_are_no_silence(opened, tmp_path, monkeypatch):
     keys = tmp_path / "keys"
     key = pair_shirt(keys)
-    source = made(SteadyUdpCase, key_file=str(shirt_key_file(keys, key.id)))
+    source = opened(SteadyUdpCase, key_file=str(shirt_key_file(keys, key.id)))
     monkeypatch.setattr(source.shirt._newest, "accept", lambda _boot, _seq: True)  # it waits for no disk
 
     def comes(seq, kept):
@@ -217,8 +150,8 @@ def test_frames_that_are_late_are_no_silence(made, tmp_path, monkeypatch):
     assert message.startswith("Frames arrive, but none counts (its frames arrive 0.7 s late")
 
 
-def test_frames_that_were_used_before_are_no_silence(made):
-    source = made(SteadyUdpCase)
+def test_frames_that_were_used_before_are_no_silence(opened):
+    source = opened(SteadyUdpCase)
     source.send(5)
     assert source.shirt.read(WAIT) is not None
     source.clock.time += SILENCE
@@ -229,8 +162,8 @@ def test_frames_that_were_used_before_are_no_silence(made):
     assert "each was used before: start the shirt again" in message
 
 
-def test_another_sender_is_named_whether_the_shirt_is_silent_or_not(made):
-    source, stranger = made(SteadyUdpCase), made(SteadyUdpCase)
+def test_another_sender_is_named_whether_the_shirt_is_silent_or_not(opened):
+    source, stranger = opened(SteadyUdpCase), opened(SteadyUdpCase)
     source.send(0)
     assert source.shirt.read(WAIT) is not None
     for wait in (0.0, SILENCE):
@@ -242,8 +175,8 @@ def test_another_sender_is_named_whether_the_shirt_is_silent_or_not(made):
         assert f"Frames arrive from 127.0.0.1:{stranger.device.getsockname()[1]}, and are left out" in message
 
 
-def test_frames_at_another_rate_than_the_one_that_is_set_say_both(made):
-    source = made(SteadyUdpCase)
+def test_frames_at_another_rate_than_the_one_that_is_set_say_both(opened):
+    source = opened(SteadyUdpCase)
     for seq in range(260):
         source.clock.time += 0.02
         source.send_bytes(encode(seq, seq / 50, np.zeros(3, np.float32)))
@@ -261,8 +194,8 @@ def serial_case(kind):
     return lambda tmp_path: kind(tmp_path, FakeClock(7.0))
 
 
-def test_a_board_without_power_and_one_with_another_format(made):
-    source = made(serial_case(FramesCase))
+def test_a_board_without_power_and_one_with_another_format(opened):
+    source = opened(serial_case(FramesCase))
     verdict, message = said(source.shirt)
     assert verdict == "nothing"
     assert message.startswith(f"Nothing arrives from the shirt on {source.board.device}: check that its board")
@@ -277,8 +210,8 @@ def test_a_board_without_power_and_one_with_another_format(made):
 
 
 @pytest.mark.parametrize(("kind", "rate"), [(FramesCase, 50), (LinesCase, 10)])
-def test_a_board_at_another_rate(made, kind, rate):
-    source = made(serial_case(kind))
+def test_a_board_at_another_rate(opened, kind, rate):
+    source = opened(serial_case(kind))
     source.board.rate = float(rate)
     for _ in range(6 * rate):
         source.clock.time += 1 / rate
@@ -289,8 +222,8 @@ def test_a_board_at_another_rate(made, kind, rate):
     assert message.startswith(f"{rate} frames a second arrive, but 100 are set.")
 
 
-def test_a_pulled_cable_names_the_lines_that_are_there(made):
-    source = made(serial_case(FramesCase))
+def test_a_pulled_cable_names_the_lines_that_are_there(opened):
+    source = opened(serial_case(FramesCase))
     source.board.pull()
     assert source.shirt.read(SHORT) is None
     verdict, message = said(source.shirt)
@@ -318,8 +251,8 @@ def test_a_line_that_is_not_there_names_those_that_are(monkeypatch, there, words
 # Streams of LSL.
 
 
-def test_a_stream_that_sends_nothing_and_one_that_has_ended(made):
-    source = made(LslCase)
+def test_a_stream_that_sends_nothing_and_one_that_has_ended(opened):
+    source = opened(LslCase)
     verdict, message = said(source.shirt)
     assert verdict == "nothing"
     assert message.startswith("No samples come from Arm (source ID arm-1")
@@ -331,11 +264,41 @@ def test_a_stream_that_sends_nothing_and_one_that_has_ended(made):
     assert message.startswith("The program that sends Arm (source ID arm-1")
 
 
-# A camera, phones, trackers, a file.
+# Boards of BrainFlow.
 
 
-def test_a_camera_says_why_it_shows_nothing(made):
-    source = made(CameraCase)
+def test_a_board_says_why_it_shows_nothing():
+    fed = FedBoard()
+    assert said(fed.shirt)[0] == "waiting"
+    fed.clock.time += SILENCE
+    verdict, message = said(fed.shirt)
+    assert verdict == "nothing"
+    assert message.startswith("Nothing arrives from the board CYTON_BOARD: switch it on")
+    fed.reader.trouble = "BOARD_NOT_READY_ERROR"
+    verdict, message = said(fed.shirt)
+    assert verdict == "gone"
+    assert message.startswith("Nothing arrives from the board CYTON_BOARD (BOARD_NOT_READY_ERROR): switch it on")
+    fed.reader.trouble = ""
+    assert fed.frames([1e9])
+    assert said(fed.shirt) == ("arrives", "Signals arrive.")
+
+
+@pytest.mark.parametrize(("rate", "verdict"), [(50, "rate"), (95, "arrives"), (100, "arrives"), (200, "rate")])
+def test_a_board_at_another_rate_than_brainflow_knows_of_it(rate, verdict):
+    fed = FedBoard()
+    for burst in range(30):
+        fed.frames(1e9 + burst / 5 + np.arange(rate // 5) / rate, delay=1 / 5)
+    found, message = said(fed.shirt)
+    assert found == verdict
+    if verdict == "rate":
+        assert message.startswith(f"{rate} samples a second arrive from the board CYTON_BOARD, but its stream has 100")
+
+
+# A camera, a file.
+
+
+def test_a_camera_says_why_it_shows_nothing(opened):
+    source = opened(CameraCase)
     assert said(source.shirt)[0] == "nothing"
     source.page.send()
     assert said(source.shirt)[0] == "arrives"
@@ -352,8 +315,8 @@ def test_a_camera_says_why_it_shows_nothing(made):
     assert said(source.shirt)[0] == "nobody"
 
 
-def test_a_camera_that_reads_too_few_pictures_says_how_many(made):
-    source = made(CameraCase)
+def test_a_camera_that_reads_too_few_pictures_says_how_many(opened):
+    source = opened(CameraCase)
     for _ in range(60):
         source.clock.time += 0.2
         source.page.send()
@@ -362,49 +325,8 @@ def test_a_camera_that_reads_too_few_pictures_says_how_many(made):
     assert message.startswith("The camera reads 5 pictures a second, too few for 30 frames")
 
 
-def test_phones_say_why_they_show_nothing(made):
-    source = made(PhonesCase)
-    assert said(source.shirt)[0] == "nothing"
-    PhonePage(source.shirt, source.clock, number=2).send()
-    verdict, message = said(source.shirt)
-    assert verdict == "unplaced"
-    assert message.startswith("On no part of the body: phone 2.")
-    source.shirt.add_sample(9, b"hello", source.clock.now())
-    assert said(source.shirt)[0] == "foreign"
-    source.page.send()
-    verdict, message = said(source.shirt)
-    assert verdict == "moving"
-    assert message.startswith("Not yet at rest: Right forearm.")
-    source.clock.time += SILENCE
-    source.page.send(delay=0.9)
-    verdict, message = said(source.shirt)
-    assert verdict == "late"
-    assert message.startswith("Messages of the phones arrive 0.9 s late")
-
-
-def test_trackers_say_why_they_show_nothing(made):
-    source = made(SlimeVrCase)
-    place = f"127.0.0.1:{source.shirt.address[1]}"
-    verdict, message = said(source.shirt)
-    assert verdict == "nothing"
-    assert message.startswith(f"Nothing at all arrives at {place}. Only programs on this machine")
-    stranger = SlimeTracker("00:00:00:00:00:0A")
-    for datagram, expected, words in (
-        (stranger.handshake(), "idle", "A tracker answers, but no movement comes from it."),
-        (b"junk", "foreign", "1 packet arrived that is no frame of this shirt. It has 4 bytes"),
-        (stranger.rotation(), "unplaced", "On no part of the body: 00:00:00:00:00:0A."),
-        (stranger.packet(0), "unplaced", "On no part of the body: 00:00:00:00:00:0A."),
-        (source.tracker.handshake(), "unplaced", "On no part of the body: 00:00:00:00:00:0A."),
-        (source.tracker.rotation(), "moving", "Not yet at rest: Right forearm."),
-    ):
-        source.send(datagram)
-        source.shirt.read(0.0)
-        verdict, message = said(source.shirt)
-        assert (verdict, message.startswith(words)) == (expected, True), message
-
-
-def test_a_file_says_that_it_has_ended(made):
-    source = made(ReplayedCase)
+def test_a_file_says_that_it_has_ended(opened):
+    source = opened(ReplayedCase)
     while source.shirt.read(1.0) is not None:
         pass
     verdict, message = said(source.shirt)

@@ -2,14 +2,12 @@
 
 import threading
 import warnings
-from collections import deque
-from types import SimpleNamespace
 
 import numpy as np
 import pytest
 from fake_clock import FakeClock
 from hardware.shirt.fake_brainflow import CYTON, BoardIds, FakeBrainFlow
-from hardware.shirt.shirts import RATE, BrainFlowCase, small_layout
+from hardware.shirt.shirts import RATE, BrainFlowCase, FedBoard, small_layout
 from pydantic import ValidationError
 
 from app.clock import MonotonicClock, monotonic
@@ -18,7 +16,6 @@ from app.hardware.shirt import brainflow_board
 from app.hardware.shirt.brainflow_board import LOOK, BrainFlowConfig, BrainFlowShirt
 from app.hardware.shirt.brainflow_library import (
     BRAINFLOW_MISSING,
-    BoardChannels,
     board_layout,
     board_number,
     chosen_channels,
@@ -45,31 +42,8 @@ def source(tmp_path):
     made.shirt.close()
 
 
-class Fed:
-    """A shirt of one channel on a fake clock, which is given what its thread would take over."""
-
-    def __init__(self):
-        self.clock = FakeClock(50.0)
-        self.shirt = shirt_of(FakeBrainFlow(), self.clock, layout=small_layout())
-        self.shirt._begin(BoardChannels({"accel_1": 0}, 1, RATE))
-        self.chunks = deque()
-        self.shirt._reader = SimpleNamespace(chunks=self.chunks, trouble="", wait=self.wait, end=lambda: None)
-
-    def wait(self, longest):
-        self.clock.time += longest
-
-    def frames(self, stamps, delay=0.0):
-        """Return the frames of samples with these times (s), which are numbered and taken over at once."""
-        self.clock.time += delay
-        self.chunks.append((self.clock.time, np.array([np.arange(float(len(stamps))), stamps])))
-        found = []
-        while (frame := self.shirt.read(0.0)) is not None:
-            found.append(frame)
-        return found
-
-
 def test_even_samples_are_even_frames_also_in_bursts():
-    fed, frames = Fed(), []
+    fed, frames = FedBoard(), []
     for burst in range(50):
         stamps = 1e9 + (4 * burst + np.arange(4)) / RATE
         frames += fed.frames(stamps, delay=4 / RATE)
@@ -79,7 +53,7 @@ def test_even_samples_are_even_frames_also_in_bursts():
 
 
 def test_what_a_radio_lost_is_a_gap():
-    fed = Fed()
+    fed = FedBoard()
     frames = fed.frames([1e9 + i / RATE for i in (0, 1, 2, 6, 7)])
     assert [frame.seq for frame in frames] == [0, 1, 2, 6, 7]
     assert fed.shirt.lost == 3
@@ -88,7 +62,7 @@ def test_what_a_radio_lost_is_a_gap():
 @pytest.mark.parametrize("step", [DAY, -DAY, 7.0, -7.0])
 def test_a_step_of_the_machines_time_loses_nothing_and_the_clock_goes_on(step):
     """Safety S16: BrainFlow stamps samples by the machine's time, which can be set."""
-    fed, frames = Fed(), []
+    fed, frames = FedBoard(), []
     for number in range(40):
         stamps = [1e9 + number / RATE + (step if number >= 20 else 0.0)]
         frames += fed.frames(stamps, delay=1 / RATE)
@@ -100,7 +74,7 @@ def test_a_step_of_the_machines_time_loses_nothing_and_the_clock_goes_on(step):
 
 
 def test_the_age_of_the_newest_sample_is_shown():
-    fed = Fed()
+    fed = FedBoard()
     fed.frames([1e9])
     fed.frames([1e9 + 0.01], delay=0.05)
     assert "1 frame" not in str(fed.shirt.description())
@@ -131,7 +105,7 @@ def test_a_board_that_is_lost_is_silent_and_comes_back(source, monkeypatch):
     end = monotonic() + LONG_ENOUGH
     while not source.shirt._reader.trouble and monotonic() < end:
         assert source.shirt.read(0.01) is None
-    source.shirt._frame_t -= 1.0
+    source.shirt._watch.accepted_t -= 1.0
     assert "Nothing arrives from the board CYTON_BOARD (BOARD_NOT" in str(source.shirt.description())
     source.brainflow.is_gone = False
     assert source.brainflow.started.wait(LONG_ENOUGH)
@@ -272,7 +246,7 @@ def test_what_it_says_is_a_sentence_in_every_language(source, language):
     source.let_come(1)
     source.shirt.read(LONG_ENOUGH)
     running = source.shirt.description()
-    source.shirt._frame_t -= 1.0
+    source.shirt._watch.accepted_t -= 1.0
     with reader_language(language):
         for text in (running, source.shirt.description()):
             sentence = str(from_document(to_document(text)))

@@ -22,5 +22,5 @@ def test_the_page_of_the_hardware_says_what_the_cards_say(kind):
 def test_what_never_arms_a_real_chair_says_so_before_it_is_chosen(kind):
     """Safety S29."""
     assert str(kind.may_arm).startswith("Never") == (kind.trust is Trust.NEVER)
-    if kind.name in {"camera", "phones", "slimevr", "lsl"}:
+    if kind.name in {"camera", "phones", "slimevr", "bluetooth", "brainflow", "lsl"}:
         assert str(kind.may_arm) == "Never drives a real chair, for nothing proves whose movements it shows."

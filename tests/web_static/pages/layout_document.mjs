@@ -34,6 +34,7 @@ assert.deepEqual(first.channels[3], {
   ring: null,
   place: null,
   unit: null,
+  liveness: null,
 });
 assert.deepEqual(first.joints, [{ name: "body", label: "Whole body" }]);
 

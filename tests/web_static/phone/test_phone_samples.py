@@ -2,7 +2,7 @@
 
 import pytest
 
-from app.hardware.shirt.phones import decode_phone
+from app.hardware.shirt.orientation_sensors.phones import decode_phone
 
 SAMPLES = [
     [7, 0, 0.0, {"alpha": 0, "beta": 0, "gamma": 0}],

@@ -1,4 +1,4 @@
-/** The message of a phone that is a sensor, as app/hardware/shirt/phones.py reads it. */
+/** The message of a phone that is a sensor, as app/hardware/shirt/orientation_sensors/phones.py reads it. */
 
 const VERSION = 1;
 const BYTES = 32;

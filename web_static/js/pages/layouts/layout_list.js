@@ -134,11 +134,7 @@ function Row({ list, entry: { layout, use }, children }) {
       { class: "grow" },
       h("b", {}, name),
       use !== "none" && h("span", { class: "tag calm" }, t(`layouts-use-${use}`)),
-      h(
-        "div",
-        { class: "quiet small" },
-        t("layouts-counts", { channels: channels.length, joints: joints.length }),
-      ),
+      h("div", { class: "quiet small" }, t("layouts-counts", { channels: channels.length, joints: joints.length })),
     ),
     h(
       "div",

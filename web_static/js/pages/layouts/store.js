@@ -6,11 +6,14 @@
  * @typedef {ReturnType<typeof layoutStore>} LayoutStore
  */
 import { failureWords } from "../../api.js";
+import { movingNow } from "../../live/moving_channels.js";
 import { newestAnswer } from "../../live/newest_answer.js";
 import { computed, signal } from "../../preact.js";
 import { t } from "../../texts.js";
-import { ChannelMovement } from "./channel_movement.js";
 import { forgetDraft, readDraft, storeDraft } from "./draft_store.js";
+
+/** @type {number[]} */
+const NONE = [];
 
 /**
  * @param {import("../../main.js").App} app @param {OwnLayout} entry the layout that is edited @param {Equipment} first
@@ -20,7 +23,6 @@ export function layoutStore(app, entry, first, kinds, left) {
   const saved = signal(entry);
   const draft = signal(readDraft(entry.id, entry.version) ?? entry.layout);
   const picked = signal(0); // index of a channel
-  const moving = signal(/** @type {number[]} */ ([]));
   const problem = signal(""); // why it was not saved
   const isSending = signal(false);
   const discards = signal(0); // how often changes were given up: what was typed goes with them
@@ -34,17 +36,8 @@ export function layoutStore(app, entry, first, kinds, left) {
   const isChanged = computed(() => draft.value !== saved.value.layout);
   /** Whether what arrives now has as many channels as the layout, so that they can be seen to move. */
   const isLive = computed(() => equipment.value.layout?.channels.length === draft.value.channels.length);
-  const movement = new ChannelMovement();
-  app.live.addEventListener(
-    "tick",
-    ({ detail: { t: now, values } }) => {
-      if (!values || now === null) return;
-      movement.push(now, values);
-      const indices = isLive.peek() ? movement.moving(app.live.noise) : [];
-      if (indices.join() !== moving.peek().join()) moving.value = indices;
-    },
-    { signal: left },
-  );
+  const { moving: arriving } = movingNow(app.live, left);
+  const moving = computed(() => (isLive.value ? arriving.value : NONE));
   /** @param {(layout: ShirtLayout) => ShirtLayout} made makes the next document of the present one */
   const change = (made) => {
     draft.value = made(draft.peek());

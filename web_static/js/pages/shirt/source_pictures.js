@@ -12,9 +12,17 @@ const PICTURES = {
     front: "M21 36h9v16h-9ZM66 36h9v16h-9ZM25 48h.1M70 48h.1M14 36a14 14 0 0 0 0 16M82 36a14 14 0 0 1 0 16",
   },
   slimevr: { behind: PERSON, front: "M43 38h10v9H43ZM24 46h9v9h-9ZM63 46h9v9h-9ZM48 42h.1M28 50h.1M67 50h.1" },
+  bluetooth: {
+    behind: PERSON,
+    front: "M24 46h9v9h-9ZM63 46h9v9h-9ZM28 50h.1M67 50h.1M44 42l8 8-4 4V38l4 4-8 8",
+  },
   serial: {
     behind: PERSON_ASIDE,
     front: "M16 44l6-4 6 4 6-4 6 4M51 52h12M63 44h22v16H63ZM69 44v-5M74 44v-5M79 44v-5M69 54h.1M79 54h.1",
+  },
+  brainflow: {
+    behind: PERSON_ASIDE,
+    front: "M24 8c10-6 22 2 36 12M30 34c10 2 20 0 30-2M60 14h28v30H60ZM66 22h.1M66 29h.1M66 36h.1M72 36l3-12 3 8 3-4h3",
   },
   udp: {
     behind: PERSON_ASIDE,

@@ -5,12 +5,11 @@
  * @typedef {ReturnType<typeof shirtStore>} ShirtStore
  */
 import { failureWords } from "../../api.js";
-import { QUIET_SPAN } from "../../charts/joint_strips.js";
+import { movingNow } from "../../live/moving_channels.js";
 import { concerns } from "../../live/news.js";
 import { signal } from "../../preact.js";
 import { t } from "../../texts.js";
 import { replacedList } from "../../widgets/replaced_list.js";
-import { movingChannels } from "./moving_channels.js";
 
 /**
  * @param {import("../../main.js").App} app @param {EquipmentView} first @param {ShirtKind[]} kinds the shirts to choose from
@@ -28,7 +27,7 @@ export function shirtStore(app, first, kinds, left) {
   });
   const live = signal(readLive());
   const sentence = signal(""); // the state of the shirt
-  const moving = signal(/** @type {number[]} */ ([])); // indices of the channels that move, the strongest first
+  const { moving, most } = movingNow(app.live, left);
   const picked = signal(""); // name of a channel
   const read = async () => take(await app.api.get("/equipment"));
   const replaced = replacedList(app, ["file"], read);
@@ -51,16 +50,8 @@ export function shirtStore(app, first, kinds, left) {
     }
   };
   const follow = () => void (live.value = readLive());
-  const findMoving = movingChannels();
-  /** @param {import("../../live/live.js").LiveMessage} now */
-  const followMovement = ({ t: now, values, shirt }) => {
-    const floors = app.live.noise.map((noise) => QUIET_SPAN * (noise ?? 0));
-    const found = shirt.alive && values && now !== null ? findMoving(now, values, floors) : [];
-    if (String(found) !== String(moving.peek())) moving.value = found;
-  };
   setState(first.status.message);
   app.live.addEventListener("quality", () => (follow(), setState(app.live.shirtWords)), { signal: left });
-  app.live.addEventListener("tick", ({ detail }) => followMovement(detail), { signal: left });
   app.addEventListener("session", follow, { signal: left });
   app.live.addEventListener(
     "changed",
@@ -69,5 +60,5 @@ export function shirtStore(app, first, kinds, left) {
   );
   app.addEventListener("equipment", ({ detail }) => take(detail), { signal: left });
   const { ReplacedList } = replaced;
-  return { app, left, kinds, equipment, live, sentence, moving, picked, ReplacedList, take, setUnused };
+  return { app, left, kinds, equipment, live, sentence, moving, most, picked, ReplacedList, take, setUnused };
 }

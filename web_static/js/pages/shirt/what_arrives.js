@@ -24,10 +24,9 @@ export function WhatArrives({ store }) {
 }
 
 /** @param {{store: import("./store.js").ShirtStore}} wiggle */
-function Wiggle({ store: { equipment, moving } }) {
+function Wiggle({ store: { equipment, most } }) {
   const { channels = [], joints = [] } = equipment.value.layout ?? {};
-  const [most] = moving.value;
-  const name = channels[most]?.joint;
+  const name = channels[most.value]?.joint;
   const joint = joints.find((one) => one.name === name);
   return h(
     "p",

@@ -53,3 +53,20 @@ arrivals-page-foreign =
     }
 arrivals-phones-nothing = Kein Telefon sendet. Koppeln Sie eines, tippen Sie darauf auf „Beginnen“, und lassen Sie seine Seite im Blick. Seine Seite sagt, was ihm fehlt.
 arrivals-phones-late = Nachrichten der Telefone kommen { $delay } s zu spät an, und eine verspätete zählt nicht. Bringen Sie die Telefone näher an die Station des Funknetzes.
+# $why is what this computer's Bluetooth says.
+arrivals-bluetooth-nothing =
+    { $why ->
+        [none] Kein Sensor ist in Reichweite. Schalten Sie die Sensoren ein, bringen Sie sie näher an diesen Rechner, und beenden Sie die App ihres Herstellers, denn ein Sensor hat nur eine Verbindung.
+       *[other] Über Bluetooth kommt nichts an ({ $why }). Prüfen Sie, ob der Adapter dieses Rechners eingesteckt und eingeschaltet ist, schalten Sie die Sensoren aus und ein, und beenden Sie die App ihres Herstellers, denn ein Sensor hat nur eine Verbindung.
+    }
+arrivals-bluetooth-idle = Ein Sensor ist verbunden, sendet aber keine Bewegung. Schalten Sie ihn aus und ein.
+arrivals-bluetooth-foreign =
+    { $count ->
+        [one] { $count } Nachricht kam an, die ein solcher Sensor nicht sendet. Verwenden Sie Sensoren von WitMotion mit Bluetooth 5, etwa den WT901BLE.
+       *[other] { $count } Nachrichten kamen an, die ein solcher Sensor nicht sendet. Verwenden Sie Sensoren von WitMotion mit Bluetooth 5, etwa den WT901BLE.
+    }
+arrivals-bluetooth-repeated = Ein Sensor sendet immer wieder dieselbe Messung, und jede zählt nur einmal. Schalten Sie ihn aus und ein.
+# $part is a part of the body.
+arrivals-bluetooth-rate = { $part }: Der Sensor dort sendet { $measured }-mal pro Sekunde, zu selten für { $expected } Datenpakete. Bringen Sie ihn näher an diesen Rechner, oder wählen Sie weniger Datenpakete pro Sekunde.
+# $board is the name of a board, $expected the rate that BrainFlow knows of it.
+arrivals-brainflow-rate = Von der Platine { $board } kommen { $measured } Werte pro Sekunde an, ihr Datenstrom hat aber { $expected }. Bringen Sie die Platine näher an ihren Empfänger, oder stellen Sie sie auf { $expected } ein, wie ihr Hersteller es angibt.

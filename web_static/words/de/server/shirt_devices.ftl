@@ -88,12 +88,18 @@ shirtdev-part-right-lower-leg = Rechter Unterschenkel
 shirtdev-part-left-foot = Linker Fuß
 shirtdev-part-right-foot = Rechter Fuß
 shirtdev-bluetooth-title = Sensoren über Bluetooth (WitMotion)
-shirtdev-bluetooth-about = Kleine Lagesensoren an Körperteilen, etwa der WT901BLE. Sie geben keinen echten Rollstuhl frei.
+shirtdev-bluetooth-about = Kleine Lagesensoren an Körperteilen, etwa der WT901BLE.
 shirtdev-bluetooth-in-use = Bluetooth-Sensoren, { $rate } Datenpakete pro Sekunde
+shirtdev-bluetooth-needs = zwei oder mehr Sensoren, Gurte und einen Bluetooth-Adapter mit Low Energy (4.0 oder neuer)
+shirtdev-bluetooth-costs = etwa 35 bis 50 € je Sensor; ein Adapter etwa 10 €
+shirtdev-bluetooth-takes = eine Minute, dann die Kalibrierung
 # BrainFlow and OpenBCI are names. A board measures with electrodes or other sensors, and sends what it measures.
 shirtdev-brainflow-title = Eine Platine (BrainFlow)
-shirtdev-brainflow-about = Platinen von OpenBCI und anderen Herstellern, mit Elektroden oder Bewegungssensoren. Sie geben keinen echten Rollstuhl frei.
+shirtdev-brainflow-about = Platinen von OpenBCI und anderen Herstellern, mit Elektroden oder Bewegungssensoren.
 shirtdev-brainflow-in-use = Platine { $board }
+shirtdev-brainflow-needs = eine Platine aus BrainFlows Liste, etwa eine von OpenBCI
+shirtdev-brainflow-costs = etwa 150 € für einen Muskelsensor bis über 1000 € für einen Verstärker
+shirtdev-brainflow-takes = einige Minuten, dann die Kalibrierung
 shirtdev-brainflow-board = Platine
 shirtdev-brainflow-board-hint = So, wie BrainFlows Liste der Platinen (boards) sie nennt, etwa CYTON_BOARD, oder ihre Nummer dort.
 # What of the board's data is used. accel, gyro and so on are names that are typed, and are not translated.

@@ -53,3 +53,20 @@ arrivals-page-foreign =
     }
 arrivals-phones-nothing = No phone sends: pair one, tap Start on it, and keep its page in view. Its page says what it lacks.
 arrivals-phones-late = Messages of the phones arrive { $delay } s late, and a late one counts as none: bring the phones nearer to the wireless network’s station.
+# $why is what this computer's Bluetooth says.
+arrivals-bluetooth-nothing =
+    { $why ->
+        [none] No sensor is in reach: switch them on, bring them nearer to this computer, and end their maker’s app, for a sensor has one connection only.
+       *[other] Nothing arrives over Bluetooth ({ $why }): see that this computer’s adapter is in and on, switch the sensors off and on, and end their maker’s app, for a sensor has one connection only.
+    }
+arrivals-bluetooth-idle = A sensor is connected, but no movement comes from it: switch it off and on.
+arrivals-bluetooth-foreign =
+    { $count ->
+        [one] { $count } message arrived that such a sensor does not send: use sensors of WitMotion with Bluetooth 5, such as the WT901BLE.
+       *[other] { $count } messages arrived that such a sensor does not send: use sensors of WitMotion with Bluetooth 5, such as the WT901BLE.
+    }
+arrivals-bluetooth-repeated = A sensor sends one measurement again and again, and each counts once: switch it off and on.
+# $part is a part of the body.
+arrivals-bluetooth-rate = { $part }: its sensor sends { $measured } times a second, too few for { $expected } frames. Bring it nearer to this computer, or choose fewer frames a second.
+# $board is the name of a board, $expected the rate that BrainFlow knows of it.
+arrivals-brainflow-rate = { $measured } samples a second arrive from the board { $board }, but its stream has { $expected }: bring the board nearer to its receiver, or set it to { $expected } as its maker says.

@@ -88,12 +88,18 @@ shirtdev-part-right-lower-leg = Right lower leg
 shirtdev-part-left-foot = Left foot
 shirtdev-part-right-foot = Right foot
 shirtdev-bluetooth-title = Sensors over Bluetooth (WitMotion)
-shirtdev-bluetooth-about = Small sensors of orientation on parts of the body, such as the WT901BLE. They arm no real chair.
+shirtdev-bluetooth-about = Small sensors of orientation on parts of the body, such as the WT901BLE.
 shirtdev-bluetooth-in-use = Bluetooth sensors, { $rate } frames a second
+shirtdev-bluetooth-needs = two sensors or more, straps, and a Bluetooth adapter with Low Energy (4.0 or newer)
+shirtdev-bluetooth-costs = about €35 to 50 for each sensor; an adapter about €10
+shirtdev-bluetooth-takes = a minute, then the calibration
 # BrainFlow and OpenBCI are names. A board measures with electrodes or other sensors, and sends what it measures.
 shirtdev-brainflow-title = A board (BrainFlow)
-shirtdev-brainflow-about = Boards of OpenBCI and other makers, with electrodes or sensors of movement. They arm no real chair.
+shirtdev-brainflow-about = Boards of OpenBCI and other makers, with electrodes or sensors of movement.
 shirtdev-brainflow-in-use = Board { $board }
+shirtdev-brainflow-needs = a board of BrainFlow's list, such as one of OpenBCI
+shirtdev-brainflow-costs = about €150 for a muscle sensor to over €1,000 for an amplifier
+shirtdev-brainflow-takes = some minutes, then the calibration
 shirtdev-brainflow-board = Board
 shirtdev-brainflow-board-hint = As BrainFlow's list of boards names it, such as CYTON_BOARD, or its number there.
 # What of the board's data is used. accel, gyro and so on are names that are typed, and are not translated.

@@ -53,3 +53,20 @@ arrivals-page-foreign =
     }
 arrivals-phones-nothing = Ningún teléfono envía: vincule uno, toque Empezar en él y mantenga su página a la vista. Su página dice qué le falta.
 arrivals-phones-late = Los mensajes de los teléfonos llegan con { $delay } s de retraso, y uno tardío no cuenta: acerque los teléfonos a la estación de la red inalámbrica.
+# $why is what this computer's Bluetooth says.
+arrivals-bluetooth-nothing =
+    { $why ->
+        [none] Ningún sensor está al alcance: enciéndalos, acérquelos a este equipo y cierre la aplicación de su fabricante, porque un sensor solo tiene una conexión.
+       *[other] No llega nada por Bluetooth ({ $why }): compruebe que el adaptador de este equipo está conectado y encendido, apague y encienda los sensores y cierre la aplicación de su fabricante, porque un sensor solo tiene una conexión.
+    }
+arrivals-bluetooth-idle = Un sensor está conectado, pero no llega de él ningún movimiento: apáguelo y enciéndalo.
+arrivals-bluetooth-foreign =
+    { $count ->
+        [one] Llegó { $count } mensaje que un sensor así no envía: use sensores de WitMotion con Bluetooth 5, como el WT901BLE.
+       *[other] Llegaron { $count } mensajes que un sensor así no envía: use sensores de WitMotion con Bluetooth 5, como el WT901BLE.
+    }
+arrivals-bluetooth-repeated = Un sensor envía una y otra vez la misma medición, y cada una cuenta una sola vez: apáguelo y enciéndalo.
+# $part is a part of the body.
+arrivals-bluetooth-rate = { $part }: su sensor envía { $measured } veces por segundo, muy pocas para { $expected } muestras. Acérquelo a este equipo o elija menos muestras por segundo.
+# $board is the name of a board, $expected the rate that BrainFlow knows of it.
+arrivals-brainflow-rate = Llegan { $measured } muestras por segundo de la placa { $board }, pero su flujo tiene { $expected }: acerque la placa a su receptor o ajústela a { $expected } como indica su fabricante.

@@ -88,12 +88,18 @@ shirtdev-part-right-lower-leg = Pierna derecha, por debajo de la rodilla
 shirtdev-part-left-foot = Pie izquierdo
 shirtdev-part-right-foot = Pie derecho
 shirtdev-bluetooth-title = Sensores por Bluetooth (WitMotion)
-shirtdev-bluetooth-about = Pequeños sensores de orientación en partes del cuerpo, como el WT901BLE. No habilitan ninguna silla real.
+shirtdev-bluetooth-about = Pequeños sensores de orientación en partes del cuerpo, como el WT901BLE.
 shirtdev-bluetooth-in-use = Sensores Bluetooth, { $rate } muestras por segundo
+shirtdev-bluetooth-needs = dos sensores o más, correas y un adaptador Bluetooth con Low Energy (4.0 o posterior)
+shirtdev-bluetooth-costs = unos 35 a 50 € por sensor; un adaptador, unos 10 €
+shirtdev-bluetooth-takes = un minuto y luego la calibración
 # BrainFlow and OpenBCI are names. A board measures with electrodes or other sensors, and sends what it measures.
 shirtdev-brainflow-title = Una placa (BrainFlow)
-shirtdev-brainflow-about = Placas de OpenBCI y de otros fabricantes, con electrodos o sensores de movimiento. No habilitan ninguna silla real.
+shirtdev-brainflow-about = Placas de OpenBCI y de otros fabricantes, con electrodos o sensores de movimiento.
 shirtdev-brainflow-in-use = Placa { $board }
+shirtdev-brainflow-needs = una placa de la lista de BrainFlow, por ejemplo una de OpenBCI
+shirtdev-brainflow-costs = desde unos 150 € por un sensor muscular hasta más de 1000 € por un amplificador
+shirtdev-brainflow-takes = unos minutos y luego la calibración
 shirtdev-brainflow-board = Placa
 shirtdev-brainflow-board-hint = Como la llama la lista de placas de BrainFlow, por ejemplo CYTON_BOARD, o su número en ella.
 # What of the board's data is used. accel, gyro and so on are names that are typed, and are not translated.

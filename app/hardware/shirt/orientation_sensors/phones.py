@@ -11,9 +11,9 @@ from app.arrivals import Arrivals, ArrivalVerdict
 from app.clock import Clock
 from app.hardware.shirt.arrival_watch import LeftOut
 from app.hardware.shirt.kind import ShirtKind, SourceFacts, Trust, page_texts
-from app.hardware.shirt.orientation import Rotations, exponential, product
+from app.hardware.shirt.orientation_sensors.orientation import Rotations, exponential, product
+from app.hardware.shirt.orientation_sensors.placed_sensors import PlacedSensorsConfig, PlacedSensorsShirt
 from app.hardware.shirt.page_clock import LONGEST_PAGE, TOO_OLD, PageClock
-from app.hardware.shirt.placed_sensors import PlacedSensorsConfig, PlacedSensorsShirt
 from app.texts import Figure, Text
 
 MOST_PHONES: Final = 6

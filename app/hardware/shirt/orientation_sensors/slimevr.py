@@ -11,10 +11,10 @@ from app.arrivals import Arrivals, ArrivalVerdict
 from app.clock import Clock
 from app.hardware.addresses import Host
 from app.hardware.shirt.kind import FieldTexts, ShirtKind, SourceFacts, Trust, page_texts
-from app.hardware.shirt.placed_sensors import PlacedSensorsConfig, PlacedSensorsShirt
+from app.hardware.shirt.orientation_sensors.placed_sensors import PlacedSensorsConfig, PlacedSensorsShirt
+from app.hardware.shirt.orientation_sensors.slimevr_packets import LONGEST
+from app.hardware.shirt.orientation_sensors.slimevr_trackers import FLEX_MARK, SlimeTrackers, sensor_name
 from app.hardware.shirt.sender_choice import SenderChoice, address_text
-from app.hardware.shirt.slimevr_packets import LONGEST
-from app.hardware.shirt.slimevr_trackers import FLEX_MARK, SlimeTrackers, sensor_name
 from app.hardware.shirt.udp_socket import bound_socket, reach_of
 from app.ports import SLIMEVR_PORT
 from app.quantities import Port

@@ -4,13 +4,13 @@ import struct
 
 import numpy as np
 import pytest
-from hardware.shirt.fake_bleak import FakeSensor
+from hardware.shirt.orientation_sensors.fake_bleak import FakeSensor
 from hypothesis import assume, given
 from hypothesis import strategies as st
 from scipy.spatial.transform import Rotation
 
-from app.hardware.shirt.orientation import angle_between
-from app.hardware.shirt.witmotion import (
+from app.hardware.shirt.orientation_sensors.orientation import angle_between
+from app.hardware.shirt.orientation_sensors.witmotion import (
     HEADS,
     SensorDecoder,
     SensorMotion,

@@ -11,9 +11,9 @@ from app.calibration.map_grades import CROSS_TALK_LIMIT
 from app.calibration.vocabulary import standard_parameters
 from app.hardware.body.person import SimulatedPerson
 from app.hardware.body.person_parameters import PRACTISED
-from app.hardware.shirt.body_parts import PARTS, TRUNK, layout_of
-from app.hardware.shirt.orientation import angle_between, exponential, inverse, logarithm, product
-from app.hardware.shirt.orientation_frames import REST_TIME, OrientationFrames
+from app.hardware.shirt.orientation_sensors.body_parts import PARTS, TRUNK, layout_of
+from app.hardware.shirt.orientation_sensors.orientation import angle_between, exponential, inverse, logarithm, product
+from app.hardware.shirt.orientation_sensors.orientation_frames import REST_TIME, OrientationFrames
 from app.messages import SensorFrame
 from app.signals.columns import read_columns
 from app.study.participant import Participant

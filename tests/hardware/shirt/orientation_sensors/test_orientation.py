@@ -8,7 +8,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 from scipy.spatial.transform import Rotation
 
-from app.hardware.shirt.orientation import (
+from app.hardware.shirt.orientation_sensors.orientation import (
     angle_between,
     drift_rate,
     exponential,
@@ -19,7 +19,7 @@ from app.hardware.shirt.orientation import (
     product,
     unit_quaternion,
 )
-from app.hardware.shirt.orientation_frames import DRIFT_LIMIT
+from app.hardware.shirt.orientation_sensors.orientation_frames import DRIFT_LIMIT
 
 NUMBERS = st.floats(-1, 1, allow_subnormal=False)
 QUATERNIONS = (

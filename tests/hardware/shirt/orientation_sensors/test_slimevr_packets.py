@@ -5,11 +5,11 @@ import struct
 
 import numpy as np
 import pytest
-from hardware.shirt.slime_tracker import SlimeTracker
+from hardware.shirt.orientation_sensors.slime_tracker import SlimeTracker
 from hypothesis import given
 from hypothesis import strategies as st
 
-from app.hardware.shirt.slimevr_packets import (
+from app.hardware.shirt.orientation_sensors.slimevr_packets import (
     HANDSHAKE_REPLY,
     HEARTBEAT,
     LONGEST,

@@ -1,6 +1,6 @@
 """The page on a phone that is a sensor, for tests: its messages, numbered and with its own clock."""
 
-from app.hardware.shirt.phones import MESSAGE, VERSION
+from app.hardware.shirt.orientation_sensors.phones import MESSAGE, VERSION
 
 
 class PhonePage:

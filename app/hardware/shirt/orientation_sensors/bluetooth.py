@@ -1,17 +1,26 @@
 """WitMotion's orientation sensors over Bluetooth Low Energy: each is worn on one part of the body."""
 
 import re
+from collections import Counter
 from collections.abc import Callable
 from typing import Annotated, Final, Literal
 
 from pydantic import Field
 
+from app.arrivals import Arrivals, ArrivalVerdict
 from app.clock import Clock
 from app.hardware.base import HardwareError, library_message
-from app.hardware.shirt.bluetooth_links import BleakLibrary, SensorLinks, SensorNotification, load_bleak
-from app.hardware.shirt.kind import LOWEST_RATE, FieldTexts, ShirtKind, Trust, page_texts
-from app.hardware.shirt.placed_sensors import PlacedSensorsConfig, PlacedSensorsShirt
-from app.hardware.shirt.witmotion import (
+from app.hardware.shirt.arrival_watch import LeftOut, RateMeter
+from app.hardware.shirt.kind import LOWEST_RATE, FieldTexts, ShirtKind, SourceFacts, Trust, page_texts
+from app.hardware.shirt.orientation_sensors.body_parts import part_title
+from app.hardware.shirt.orientation_sensors.bluetooth_links import (
+    BleakLibrary,
+    SensorLinks,
+    SensorNotification,
+    load_bleak,
+)
+from app.hardware.shirt.orientation_sensors.placed_sensors import PlacedSensorsConfig, PlacedSensorsShirt
+from app.hardware.shirt.orientation_sensors.witmotion import (
     LOW_VOLTS,
     RATES,
     SensorDecoder,
@@ -19,8 +28,9 @@ from app.hardware.shirt.witmotion import (
     SensorVoltage,
     sensor_orientation,
 )
+from app.messages import ALIVE
 from app.quantities import Hertz
-from app.texts import Text
+from app.texts import Text, in_sequence
 
 READY_LIMIT: Final = 6.0  # s within which the system's Bluetooth must begin to look for sensors
 _ADDRESS: Final = re.compile(r"[0-9A-F]{2}(:[0-9A-F]{2}){5}|[0-9A-F]{8}(-[0-9A-F]{4}){3}-[0-9A-F]{12}")
@@ -36,6 +46,9 @@ class BluetoothConfig(PlacedSensorsConfig):
         Text("shirtdev-bluetooth-title"),
         about=Text("shirtdev-bluetooth-about"),
         in_use=Text("shirtdev-bluetooth-in-use", rate="{sample_rate}"),
+        facts=SourceFacts(
+            Text("shirtdev-bluetooth-needs"), Text("shirtdev-bluetooth-costs"), Text("shirtdev-bluetooth-takes")
+        ),
     )
 
     kind: Literal["bluetooth"]
@@ -70,6 +83,8 @@ class BluetoothShirt(PlacedSensorsShirt):
         self._parts = {address: part for part, address in self._sensors.items()}
         self._decoders = {address: SensorDecoder() for address in self._parts}
         self._newest = dict.fromkeys(self._parts, b"")  # content of the newest frame
+        self._sent: Counter[str] = Counter()  # frames of each sensor
+        self._rates = {address: RateMeter(self.sample_rate) for address in self._parts}
         self._volts: dict[str, float] = {}
 
     @property
@@ -108,7 +123,7 @@ class BluetoothShirt(PlacedSensorsShirt):
             sending=self._count_sending(),
             placed=len(self._sensors),
             sensors=len(self.layout.channels),
-            refused=sum(decoder.junk for decoder in self._decoders.values()),
+            refused=self._junk,
             repeated=self.repeated,
             trouble=links.trouble or "none",
         )
@@ -118,6 +133,32 @@ class BluetoothShirt(PlacedSensorsShirt):
             low=[part for address, part in self._parts.items() if self._volts.get(address, LOW_VOLTS) < LOW_VOLTS],
             found=Text("shirtdev-slimevr-found", sensors=found) if found else None,
         )
+
+    def arrivals(self) -> Arrivals:
+        """Return what arrives from the sensors."""
+        links = self._links
+        if links is None:
+            return Arrivals("gone", self.description())
+        reasons: dict[ArrivalVerdict, Text] = {
+            "nothing": Text("arrivals-bluetooth-nothing", why=links.trouble or "none"),
+            "idle": Text("arrivals-bluetooth-idle"),
+            "foreign": Text("arrivals-bluetooth-foreign", count=self._junk),
+            "repeated": Text("arrivals-bluetooth-repeated"),
+        }
+        silence: ArrivalVerdict = "idle" if links.connected else "nothing"
+        found = self.found
+        if found and silence == "nothing" and not links.trouble:
+            silence = "unplaced"
+            parts = [part_title(part) for part in self._sensors]
+            worn = [Text("shirtdev-sensors-silent", parts=parts)] if parts else []
+            reasons["unplaced"] = in_sequence([*worn, Text("shirtdev-slimevr-found", sensors=found)])
+        arrivals = self._arrivals(reasons, silence)
+        slow = self._slowest() if arrivals.verdict in {"arrives", "moving"} else None
+        if slow is None:
+            return arrivals
+        part, rate = part_title(self._parts[slow]), round(self._rates[slow].rate)
+        message = Text("arrivals-bluetooth-rate", part=part, measured=rate, expected=round(self.sample_rate, 2))
+        return arrivals._replace(verdict="rate", message=message)
 
     def close(self) -> None:
         """Disconnect the sensors; closing twice does no harm."""
@@ -139,16 +180,39 @@ class BluetoothShirt(PlacedSensorsShirt):
             decoder.begin_anew()
             self._frames.forget(part)  # a sensor that was off may have another north
             return
-        for received in decoder.feed(content):
+        junk = decoder.junk
+        found = decoder.feed(content)
+        if decoder.junk > junk:
+            self._watch.leave_out(LeftOut(t, "foreign", len(content)))
+        for received in found:
             match received:
                 case SensorVoltage(volts):
                     self._volts[address] = volts
                 case SensorMotion(motion, angles_deg):
+                    self._sent[address] += 1
+                    self._rates[address].add(self._sent[address], t)
                     if motion == self._newest[address]:
                         self.repeated += 1
+                        self._watch.leave_out(LeftOut(t, "repeated"))
                         continue
                     self._newest[address] = motion
+                    self._watch.accept(t)
                     self._frames.take_orientation(part, sensor_orientation(*angles_deg), t)
+
+    @property
+    def _junk(self) -> int:
+        """Messages that are none of such a sensor."""
+        return sum(decoder.junk for decoder in self._decoders.values())
+
+    def _slowest(self) -> str | None:
+        """Return the address of the sensor that sends least often, None while each sends often enough."""
+        now = self._clock.now()
+        low = {
+            address: meter.rate
+            for address, meter in self._rates.items()
+            if meter.is_low and now - meter.newest_t <= ALIVE
+        }
+        return min(low, key=lambda address: low[address], default=None)
 
 
 KIND = ShirtKind(BluetoothConfig, BluetoothShirt, Trust.NEVER)

@@ -8,7 +8,7 @@ from typing import Final, NamedTuple
 
 import numpy as np
 
-from app.hardware.shirt.orientation import Rotations, exponential, product
+from app.hardware.shirt.orientation_sensors.orientation import Rotations, exponential, product
 
 NAME_BEGINS: Final = "WT"  # of the names that these sensors announce
 NOTIFIED: Final = "0000ffe4-0000-1000-8000-00805f9a34fb"

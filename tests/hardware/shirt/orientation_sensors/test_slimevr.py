@@ -2,13 +2,13 @@
 
 import pytest
 from fake_clock import FakeClock
+from hardware.shirt.orientation_sensors.slime_tracker import SlimeTracker
 from hardware.shirt.shirts import RATE, SlimeVrCase
-from hardware.shirt.slime_tracker import SlimeTracker
 
 from app.hardware.base import HardwareError, NetworkShirt
 from app.hardware.registry import parse_shirt
-from app.hardware.shirt.slimevr import KIND, SlimeVrConfig, SlimeVrShirt
-from app.hardware.shirt.slimevr_packets import HANDSHAKE_REPLY, HEARTBEAT
+from app.hardware.shirt.orientation_sensors.slimevr import KIND, SlimeVrConfig, SlimeVrShirt
+from app.hardware.shirt.orientation_sensors.slimevr_packets import HANDSHAKE_REPLY, HEARTBEAT
 
 MAC = "A1:B2:C3:D4:E5:F6"
 

@@ -7,9 +7,14 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from app.hardware.shirt.body_parts import PARTS, layout_of, reference_of
-from app.hardware.shirt.orientation import exponential, product
-from app.hardware.shirt.orientation_frames import DRIFT_TIME, REST_PATIENCE, REST_TIME, OrientationFrames
+from app.hardware.shirt.orientation_sensors.body_parts import PARTS, layout_of, reference_of
+from app.hardware.shirt.orientation_sensors.orientation import exponential, product
+from app.hardware.shirt.orientation_sensors.orientation_frames import (
+    DRIFT_TIME,
+    REST_PATIENCE,
+    REST_TIME,
+    OrientationFrames,
+)
 from app.layout import MAX_CHANNELS, MAX_JOINTS, USUAL_JOINTS, joint_title
 
 RATE = 50.0

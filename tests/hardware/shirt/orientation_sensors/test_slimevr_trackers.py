@@ -8,13 +8,13 @@ import random
 import numpy as np
 import pytest
 from fake_clock import FakeClock
-from hardware.shirt.slime_tracker import SlimeTracker
+from hardware.shirt.orientation_sensors.slime_tracker import SlimeTracker
 
 from app.hardware.shirt.arrival_watch import ArrivalWatch
-from app.hardware.shirt.orientation import exponential
-from app.hardware.shirt.orientation_frames import REST_TIME, OrientationFrames
-from app.hardware.shirt.placed_sensors import FrameGrid
-from app.hardware.shirt.slimevr_trackers import MOST_TRACKERS, SlimeTrackers, sensor_name
+from app.hardware.shirt.orientation_sensors.orientation import exponential
+from app.hardware.shirt.orientation_sensors.orientation_frames import REST_TIME, OrientationFrames
+from app.hardware.shirt.orientation_sensors.placed_sensors import FrameGrid
+from app.hardware.shirt.orientation_sensors.slimevr_trackers import MOST_TRACKERS, SlimeTrackers, sensor_name
 
 RATE = 50.0
 TRUNK, ARM, OTHER = "00:00:00:00:00:01", "00:00:00:00:00:02", "00:00:00:00:00:03"

@@ -10,7 +10,13 @@ from typing import Any, Final, NamedTuple, Protocol, cast
 
 from app.clock import Clock
 from app.hardware.base import library_message
-from app.hardware.shirt.witmotion import ASK_VOLTAGE, NAME_BEGINS, NOTIFIED, WRITTEN, set_up_commands
+from app.hardware.shirt.orientation_sensors.witmotion import (
+    ASK_VOLTAGE,
+    NAME_BEGINS,
+    NOTIFIED,
+    WRITTEN,
+    set_up_commands,
+)
 
 LOOK: Final = 5.0  # s of one look for sensors; less as soon as all that are missing were seen
 LOOK_AGAIN: Final = 1.0  # s between two looks, and between two checks of the connections
@@ -81,6 +87,8 @@ class SensorLinks(threading.Thread):
         What has come, the oldest first; whoever takes it removes it.
     found : list of str
         The addresses of sensors that the newest look has seen and that are not sought.
+    connected : set of str
+        The addresses of the sensors that are connected and were set up.
     ready : threading.Event
         Set as soon as sensors are looked for, or `failure` says why that cannot be.
     failure : str
@@ -94,6 +102,7 @@ class SensorLinks(threading.Thread):
         super().__init__(name="Bluetooth", daemon=True)
         self.notifications: deque[SensorNotification] = deque(maxlen=MOST_WAITING)
         self.found: list[str] = []
+        self.connected = set[str]()
         self.ready = threading.Event()
         self.failure = self.trouble = ""
         self._library = library
@@ -191,12 +200,14 @@ class SensorLinks(threading.Thread):
                 await client.start_notify(NOTIFIED, take)
                 for command in self._set_up:
                     await client.write_gatt_char(WRITTEN, command, response=False)
+            self.connected.add(address)
         except Exception as error:  # the next turn tries again
             self.trouble = library_message(error)
             await self._disconnect(address)
 
     async def _disconnect(self, address: str) -> None:
         client = self._clients.pop(address)
+        self.connected.discard(address)
         with suppress(Exception):  # a connection that is lost cannot be ended
             async with asyncio.timeout(END_LIMIT / 2):
                 await client.disconnect()

@@ -5,9 +5,20 @@ import struct
 import threading
 from types import SimpleNamespace
 
+from app.clock import monotonic
+
 ANSWER = 20.0  # s that anything between two threads may take
 ASK_VOLTAGE = bytes((0xFF, 0xAA, 0x27, 0x64, 0x00))
 DEGREE = 32768 / 180  # steps
+
+
+def wait_for(condition):
+    """Wait until something has happened in another thread."""
+    end = monotonic() + ANSWER
+    pause = threading.Event()
+    while not condition():
+        assert monotonic() < end
+        pause.wait(0.005)
 
 
 class FakeSensor:

@@ -8,7 +8,7 @@ from collections.abc import Callable, Mapping
 from struct import Struct
 from typing import Final, NamedTuple
 
-from app.hardware.shirt.orientation import Rotations, unit_quaternion
+from app.hardware.shirt.orientation_sensors.orientation import Rotations, unit_quaternion
 
 LONGEST: Final = 512  # bytes; the longest known one has fewer than 200
 HANDSHAKE, ROTATION_OF_FIRST, ACCELERATION, BATTERY, SENSOR, ROTATION_OF_SECOND = 3, 1, 4, 12, 15, 16

@@ -8,8 +8,8 @@ from typing import Final
 import numpy as np
 from numpy.typing import NDArray
 
-from app.hardware.shirt.body_parts import PARTS, channel_names, reference_of
-from app.hardware.shirt.orientation import (
+from app.hardware.shirt.orientation_sensors.body_parts import PARTS, channel_names, reference_of
+from app.hardware.shirt.orientation_sensors.orientation import (
     Rotations,
     angle_between,
     drift_rate,

@@ -6,16 +6,22 @@ import random
 import numpy as np
 import pytest
 from fake_clock import FakeClock
-from hardware.shirt.phone_page import PhonePage
+from hardware.shirt.orientation_sensors.phone_page import PhonePage
 from hypothesis import given
 from hypothesis import strategies as st
 from scipy.spatial.transform import Rotation
 
 from app.hardware.base import HardwareError, PageShirt, SearchingShirt
 from app.hardware.registry import parse_shirt
-from app.hardware.shirt.orientation import angle_between
-from app.hardware.shirt.orientation_frames import REST_TIME
-from app.hardware.shirt.phones import MESSAGE, PhonesConfig, PhonesShirt, decode_phone, device_orientation
+from app.hardware.shirt.orientation_sensors.orientation import angle_between
+from app.hardware.shirt.orientation_sensors.orientation_frames import REST_TIME
+from app.hardware.shirt.orientation_sensors.phones import (
+    MESSAGE,
+    PhonesConfig,
+    PhonesShirt,
+    decode_phone,
+    device_orientation,
+)
 from app.pipeline.channel_health import ChannelHealth
 from building import joint_map, profile_of
 

@@ -6,9 +6,8 @@ from typing import Final
 
 from app.hardware.shirt.arrival_watch import PATIENCE, ArrivalWatch, LeftOut
 from app.hardware.shirt.frame_order import Sequence
-from app.hardware.shirt.orientation_frames import OrientationFrames
-from app.hardware.shirt.sender_choice import SHIRT_SENDER_SILENCE, Address, SenderChoice
-from app.hardware.shirt.slimevr_packets import (
+from app.hardware.shirt.orientation_sensors.orientation_frames import OrientationFrames
+from app.hardware.shirt.orientation_sensors.slimevr_packets import (
     HANDSHAKE_REPLY,
     HEARTBEAT,
     TrackerAcceleration,
@@ -21,6 +20,7 @@ from app.hardware.shirt.slimevr_packets import (
     read_packet,
     sensor_acknowledgement,
 )
+from app.hardware.shirt.sender_choice import SHIRT_SENDER_SILENCE, Address, SenderChoice
 
 MOST_TRACKERS: Final = 64  # that are answered: addresses that nobody placed could fill the memory
 GONE: Final = 10.0  # s of silence after which a tracker gets no heartbeat and is offered no more

@@ -10,9 +10,9 @@ from pydantic import Field, field_validator, model_validator
 from app.arrivals import Arrivals, ArrivalVerdict
 from app.clock import Clock
 from app.hardware.shirt.arrival_watch import GOOD, WAITING, ArrivalWatch
-from app.hardware.shirt.body_parts import PARTS, TRUNK, layout_of, part_title
 from app.hardware.shirt.kind import FieldTexts, ShirtConfig, ShirtRate
-from app.hardware.shirt.orientation_frames import OrientationFrames
+from app.hardware.shirt.orientation_sensors.body_parts import PARTS, TRUNK, layout_of, part_title
+from app.hardware.shirt.orientation_sensors.orientation_frames import OrientationFrames
 from app.messages import SensorFrame
 from app.quantities import Line
 from app.texts import Text, in_sequence
@@ -169,13 +169,15 @@ class PlacedSensorsShirt:
         """Take in what comes until `t` (monotonic s)."""
         self._clock.sleep_until(t)
 
-    def _arrivals(self, reasons: Mapping[ArrivalVerdict, Text]) -> Arrivals:
+    def _arrivals(self, reasons: Mapping[ArrivalVerdict, Text], silence: ArrivalVerdict = "nothing") -> Arrivals:
         """Return what arrives; `reasons` has sentences on why no signals do.
 
-        Sensors that send and were not at rest yet give no signals.
+        `silence` is the verdict while nothing comes, not even what is left out. Sensors that send and were not at rest
+        yet give no signals.
         """
         now = self._clock.now()
         verdict = self._watch.verdict(now)
+        verdict = silence if verdict == "nothing" else verdict
         message = GOOD if verdict == "arrives" else reasons.get(verdict, WAITING)
         moving = self._moving(self._frames.silent(now))
         if verdict == "arrives" and moving:
