@@ -9,8 +9,8 @@ from typing import ClassVar
 
 import numpy as np
 from browser.fake_camera import own_browser, person
-from hardware.shirt.fake_bleak import FakeSensor
-from hardware.shirt.slime_tracker import SlimeTracker
+from hardware.shirt.orientation_sensors.fake_bleak import FakeSensor
+from hardware.shirt.orientation_sensors.slime_tracker import SlimeTracker
 from hardware.shirt.wired_board import WiredBoard, frame_bytes
 from playwright.sync_api import sync_playwright
 from processes.udp_shirt import free_port

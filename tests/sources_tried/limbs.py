@@ -7,7 +7,7 @@ import math
 
 import numpy as np
 
-from app.hardware.shirt.orientation import exponential, product
+from app.hardware.shirt.orientation_sensors.orientation import exponential, product
 
 ARMS = ("right_upper_arm", "left_upper_arm", "right_forearm", "left_forearm")
 """The parts of the body that wear a sensor."""

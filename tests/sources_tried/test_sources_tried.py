@@ -18,9 +18,9 @@ from app.cues import Cue
 from app.hardware.base import BodyView
 from app.hardware.body.joints import ARM_DEGREES_OF_FREEDOM
 from app.hardware.configs import KINDS
-from app.hardware.shirt.orientation import angle_between, exponential
-from app.hardware.shirt.phones import device_orientation
-from app.hardware.shirt.witmotion import sensor_orientation
+from app.hardware.shirt.orientation_sensors.orientation import angle_between, exponential
+from app.hardware.shirt.orientation_sensors.phones import device_orientation
+from app.hardware.shirt.orientation_sensors.witmotion import sensor_orientation
 from app.source import NAMED_SHIRTS
 from app.texts import Text
 

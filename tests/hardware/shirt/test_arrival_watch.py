@@ -41,4 +41,5 @@ def test_a_pause_and_a_restart_are_no_rate():
     for seq, t in ((0, 0.0), (1, 0.01), (2, 9.0), (3, 9.01), (0, 9.02), (1, 9.03)):
         meter.add(seq, t)
     assert np.isnan(meter.rate)
-    assert not (meter.is_wrong or meter.is_low)
+    assert not meter.is_wrong
+    assert not meter.is_low

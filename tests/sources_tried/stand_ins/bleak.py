@@ -8,7 +8,7 @@ import socket
 import threading
 from contextlib import suppress
 
-from hardware.shirt.fake_bleak import FakeBleak
+from hardware.shirt.orientation_sensors.fake_bleak import FakeBleak
 
 LONGEST = 4096  # bytes
 ADDRESS = 6  # bytes

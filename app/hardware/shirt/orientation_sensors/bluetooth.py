@@ -12,13 +12,13 @@ from app.clock import Clock
 from app.hardware.base import HardwareError, library_message
 from app.hardware.shirt.arrival_watch import LeftOut, RateMeter
 from app.hardware.shirt.kind import LOWEST_RATE, FieldTexts, ShirtKind, SourceFacts, Trust, page_texts
-from app.hardware.shirt.orientation_sensors.body_parts import part_title
 from app.hardware.shirt.orientation_sensors.bluetooth_links import (
     BleakLibrary,
     SensorLinks,
     SensorNotification,
     load_bleak,
 )
+from app.hardware.shirt.orientation_sensors.body_parts import part_title
 from app.hardware.shirt.orientation_sensors.placed_sensors import PlacedSensorsConfig, PlacedSensorsShirt
 from app.hardware.shirt.orientation_sensors.witmotion import (
     LOW_VOLTS,
