@@ -13,7 +13,7 @@ from app.scoring.map_losses.losses import MOST_TRIALS
 from app.source import SourceGroup
 from app.store.map_versions import calibration_behind, family
 from app.store.parameters import as_document, current_parameters
-from app.store.run_groups import run_group
+from app.store.run_groups import is_of_group
 from app.store.tables import ParameterSet, Patient, Profile, Run, Trial
 
 LAST_TRIALS = 6  # older trials say little about how the person moves today
@@ -54,7 +54,7 @@ def material_for(db: Session, patient_id: int, session_id: int, group: SourceGro
         .join(Profile, Profile.id == ParameterSet.profile_id)
         .join(Run, Run.id == Trial.run_id)
         .where(
-            run_group == group,
+            is_of_group(group),
             Trial.kept.is_(True),
             Trial.status == "done",
             Profile.patient_id == patient_id,

@@ -13,7 +13,7 @@ from app.refusals import Conflict
 from app.source import SourceGroup
 from app.store.origins import ImportedSession
 from app.store.parameters import as_document
-from app.store.run_groups import run_group
+from app.store.run_groups import is_of_group
 from app.store.tables import ParameterSet, Profile, Run, Trial
 
 PRACTICE_ENDS = ("goal", "time-out", "by hand")  # a trial that a fault ended is no practice
@@ -69,7 +69,7 @@ def _practice_trials(db: Session, patient_id: int, group: SourceGroup) -> Iterat
         .join(Profile, Profile.id == ParameterSet.profile_id)
         .join(Run, Run.id == Trial.run_id)
         .where(Trial.patient_id == patient_id, Trial.kept.is_(True), Trial.end.in_(PRACTICE_ENDS))
-        .where(run_group == group, Trial.session_id.not_in(select(ImportedSession.session_id)))
+        .where(is_of_group(group), Trial.session_id.not_in(select(ImportedSession.session_id)))
         .order_by(Trial.id.desc())
     )
     yield from ((trial, row, profile) for trial, row, profile in rows if trial.measures is not None)

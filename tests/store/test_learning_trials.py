@@ -18,7 +18,7 @@ from app.store.learning_trials import (
 )
 from app.store.parameters import as_document, current_parameters
 from app.store.practice import PracticeHistory
-from app.store.run_groups import run_group
+from app.store.run_groups import RUN_GROUP
 from app.store.runs import keep_trial, trials_of
 from app.store.tables import Patient, Run
 
@@ -146,4 +146,4 @@ def test_the_spread_of_everybody_is_of_one_source(rows: ClinicRows, patient: Pat
 def test_a_query_finds_the_group_that_a_source_has(rows: ClinicRows, shirt: str, simulated: bool | None) -> None:
     source = Source(shirt=shirt, body=None, chair="virtual", simulated=simulated)
     trial = rows.trial(rows.session(), source=source)
-    assert rows.db.scalar(select(run_group).where(Run.id == trial.run_id)) == source.group
+    assert rows.db.scalar(select(RUN_GROUP).where(Run.id == trial.run_id)) == source.group
