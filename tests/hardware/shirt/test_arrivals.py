@@ -302,8 +302,9 @@ def test_a_camera_says_why_it_shows_nothing(opened):
     assert said(source.shirt)[0] == "nothing"
     source.page.send()
     assert said(source.shirt)[0] == "arrives"
-    source.clock.time += SILENCE
-    source.page.send(underway=0.8)
+    for _ in range(4):
+        source.clock.time += SILENCE / 4
+        source.page.send(underway=0.8)
     verdict, message = said(source.shirt)
     assert verdict == "late"
     assert message.startswith("Pictures arrive 0.8 s late")
