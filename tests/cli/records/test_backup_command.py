@@ -7,6 +7,7 @@ from typing import Any
 
 import pytest
 from cli.answers import assert_refused, output_of
+from features.backup.light_key import WORDS, make_light_keys
 from store.keeping.filled_clinic import two_patients
 
 from app import realtime
@@ -53,10 +54,11 @@ def test_a_disk_died_and_the_clinic_is_there_again(bodydrive: Any, settings: Set
 def test_a_folder_with_a_passphrase(
     bodydrive: Any, settings: Settings, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
+    make_light_keys(monkeypatch)
     (tmp_path / "stick").mkdir()
     monkeypatch.setenv("BODYDRIVE_PASSPHRASE", "short")
     assert "too short" in bodydrive("backup", "stick", "--encrypt", "--state", "clinic")[2]
-    monkeypatch.setenv("BODYDRIVE_PASSPHRASE", "long enough it is")
+    monkeypatch.setenv("BODYDRIVE_PASSPHRASE", WORDS)
     code, out, _ = bodydrive("backup", "stick", "--encrypt", "--state", "clinic", "--json")
     assert (code, json.loads(out)["encrypted"]) == (0, True)
     assert bodydrive("backup", "stick", "--state", "clinic")[0] == 0  # the folder says that it is encrypted
