@@ -69,7 +69,8 @@ def test_every_changing_route_refuses_another_session_and_none_or_is_marked_with
 def test_what_is_no_session_is_no_name_of_one_and_no_session_is_another_one(in_session: Any) -> None:
     name, before = in_session.good("GET", "/auth/me")["name"], second_patient(in_session)
     for words, pages in ((OTHER, (before, "none", "999999")), (UNNAMED, (None, "B-12", "0", "-1"))):
-        assert {page: refusal(in_session, name, "PUT /adaptation", page) for page in pages} == dict.fromkeys(pages, words)
+        refused = {page: refusal(in_session, name, "PUT /adaptation", page) for page in pages}
+        assert refused == dict.fromkeys(pages, words)
 
 
 def test_the_refusal_says_who_is_open_who_opened_it_when_and_whose_page_this_is(in_session: Any) -> None:

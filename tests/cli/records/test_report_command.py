@@ -1,5 +1,6 @@
 """`bodydrive report`: the suffix decides about the form; bad input is a sentence, and nothing is written."""
 
+import shutil
 from contextlib import closing
 from datetime import date
 
@@ -14,16 +15,22 @@ from app.store.database import Database
 from app.store.tables import LogEntry
 
 
-@pytest.fixture
-def clinic(tmp_path):
-    """Return the folder of a clinic with a course of two sessions."""
-    folder = tmp_path / "clinic"
+@pytest.fixture(scope="module")
+def stored(tmp_path_factory):
+    """Return the folder of a clinic with a course of two sessions, which nobody has open."""
+    folder = tmp_path_factory.mktemp("stored") / "clinic"
     database = Database(folder / "bodydrive.sqlite")
     patient = store_reported_course(database, folder / "runs", 2, recordings=False)
     with database.transaction() as db:
         give_consent(db, patient, "sharing", date(2026, 1, 1), "Ana")
     database.close()
     return folder
+
+
+@pytest.fixture
+def clinic(stored, tmp_path):
+    """Return the folder of such a clinic for one test."""
+    return shutil.copytree(stored, tmp_path / "clinic")
 
 
 def log_of(clinic):
