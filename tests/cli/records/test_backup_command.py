@@ -73,19 +73,16 @@ def test_a_folder_with_a_passphrase(
     assert "BODYDRIVE_PASSPHRASE" in bodydrive("restore", file, "--state", "newer")[2]
 
 
-@pytest.mark.parametrize(
-    ("words", "sentence"),
-    [
+def test_bad_input_is_one_sentence(bodydrive: Any, settings: Settings) -> None:
+    for words, sentence in (
         (("backup", "a.backup", "--state", "nothing"), "There is no clinic in"),
         (("backup", "none/a.backup", "--state", "clinic"), "make it, or choose another place"),
         (("restore", "a.backup"), "There is no backup a.backup: name a file"),
         (("restore", "clinic/bodydrive.sqlite", "--state", "new"), "This file is damaged or was cut off"),
         (("backup", "clinic/bodydrive.sqlite", "--check"), "This file is damaged or was cut off"),
         (("restore", "clinic/bodydrive.sqlite", "--erased", "none.json"), "There is no file none.json"),
-    ],
-)
-def test_bad_input_is_one_sentence(bodydrive: Any, settings: Settings, words: tuple[str, ...], sentence: str) -> None:
-    assert_refused(bodydrive(*words), sentence)
+    ):
+        assert_refused(bodydrive(*words), sentence)
 
 
 def test_the_folder_of_another_clinic_is_one_sentence(bodydrive: Any, settings: Settings, tmp_path: Path) -> None:
