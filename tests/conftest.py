@@ -1,5 +1,6 @@
 """What every test has: generated cases without a deadline, a umask of its own; on request a database and more."""
 
+import gc
 import os
 import shutil
 import sys
@@ -37,6 +38,12 @@ LONGEST = (
 def pytest_collection_modifyitems(config: pytest.Config, items: list[pytest.Item]) -> None:
     if hasattr(config, "workerinput"):  # one of several processes
         items.sort(key=lambda item: LONGEST.index(item.path.stem) if item.path.stem in LONGEST else len(LONGEST))
+
+
+def pytest_collection_finish() -> None:
+    """Let garbage be looked for among what the tests make: the millions of objects that are there now stay anyway."""
+    gc.collect()
+    gc.freeze()
 
 
 @pytest.fixture(autouse=True)

@@ -12,16 +12,11 @@ from app.world.floorplan import bundled_floorplans, load_floorplan
 
 @pytest.fixture
 def without_collections():
-    """Let Python collect no garbage by itself: it could do so at any moment, and hide what would stay.
-
-    What was there before is looked through no more: there are millions of objects after many other tests.
-    """
+    """Let Python collect no garbage by itself: it could do so at any moment, and hide what would stay."""
     gc.collect()
-    gc.freeze()
     gc.disable()
     yield
     gc.enable()
-    gc.unfreeze()
 
 
 def buffers() -> int:
