@@ -9,7 +9,6 @@ from cli.answers import assert_refused
 from features.reports.reported_clinic import CODE, store_reported_course
 from features.reports.words_of import html_page, pdf_pages
 
-from app.cli import main
 from app.features.consents.service import give_consent, withdraw_consent
 from app.store.database import Database
 from app.store.tables import LogEntry
@@ -48,7 +47,6 @@ def test_both_forms_are_written_and_stand_in_the_log(bodydrive, clinic, tmp_path
 
 
 def test_a_report_is_in_the_language_of_the_terminal(bodydrive, clinic, tmp_path, monkeypatch):
-    monkeypatch.setattr(main, "LANGUAGES", ("en", "es", "de"))
     monkeypatch.setenv("LC_ALL", "es_ES.UTF-8")
     for name, *options in (("own.html",), ("english.html", "--language", "en")):
         assert bodydrive("report", CODE, *options, "--out", name, "--state", "clinic")[0] == 0
