@@ -8,7 +8,6 @@ from collections.abc import Sequence
 
 import numpy as np
 import pytest
-from scipy.stats import binom
 
 from app.scoring.measures import REACHED
 from app.scoring.verdict.change_over_sessions import course_change, course_differences
@@ -32,6 +31,13 @@ def told_at_the_end(course: Course, count: int) -> float:
     return sum("worse" in told for told in map(alarm_words, people)) / count
 
 
+def quantile(share: float, people: int, probability: float) -> float:
+    """Return how many of these people have what each has with a probability, at most, in a share of such groups."""
+    from scipy.stats import binom
+
+    return float(binom.ppf(share, people, probability))
+
+
 def alarm_words(one: tuple[list[Row], dict[str, Spread]]) -> list[str]:
     return ["worse"] if task_verdicts(*one).deterioration else []
 
@@ -51,7 +57,7 @@ def test_a_decline_is_told_however_many_goals_are_missed(course: Course) -> None
 
     At least 85 % are to be told. Of so few people as many as in 95 of 100 such groups suffice, were it 85 %.
     """
-    assert told_at_the_end(course, PEOPLE) * PEOPLE >= binom.ppf(0.05, PEOPLE, 0.85)
+    assert told_at_the_end(course, PEOPLE) * PEOPLE >= quantile(0.05, PEOPLE, 0.85)
 
 
 def test_who_misses_as_many_goals_as_ever_is_left_alone() -> None:
@@ -74,7 +80,7 @@ def test_who_misses_as_many_goals_as_ever_is_left_alone() -> None:
 def test_half_of_the_level_in_sessions_of_three_is_told(title: str, clinic: list[Spread], least: float) -> None:
     """The newest session was told to 24 % of those without a clinic's median, an even fall to 48 and 26 %."""
     told = People(PEOPLE, clinic, seed=2).words(CHANGED[title])["page"] * PEOPLE
-    assert told >= binom.ppf(0.02, PEOPLE, least)
+    assert told >= quantile(0.02, PEOPLE, least)
 
 
 @pytest.mark.parametrize("title", ["4 sessions of 5", "7 sessions of 3", "6 sessions of 5, trials correlated by 0.5"])
@@ -96,7 +102,7 @@ def test_the_sentence_on_all_sessions_is_not_told_without_a_change(title: str, c
 def test_a_page_without_a_change_seldom_says_that_there_is_one(title: str, most: float) -> None:
     """A page of ten measures had a wrong word in 16 to 24 %, and in 15 % where trials resemble each other."""
     wrong = People(UNCHANGED_PEOPLE, CLINIC, seed=5).words(UNCHANGED[title])["page"] * UNCHANGED_PEOPLE
-    assert wrong <= binom.ppf(0.98, UNCHANGED_PEOPLE, most)
+    assert wrong <= quantile(0.98, UNCHANGED_PEOPLE, most)
 
 
 def test_a_new_change_and_one_that_goes_on_are_found_by_different_comparisons() -> None:
