@@ -6,7 +6,6 @@ from html.parser import HTMLParser
 from typing import Any
 from urllib.parse import urldefrag, urljoin, urlsplit
 
-
 from app.api.pages import to_html
 from app.faults import EXPLANATIONS, Fault
 from folders import ROOT

@@ -4,7 +4,6 @@ import json
 from typing import Any
 
 
-
 def test_nobody_signed_in_sees_no_patient(clinic: Any) -> None:
     for path in ("patients", "session", "equipment", "calibration", "controls", "floorplans", "trials?patient=1"):
         assert clinic.refused(401, "GET", f"/{path}").startswith("You are not signed in")

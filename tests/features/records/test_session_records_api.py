@@ -2,7 +2,6 @@
 
 from typing import Any
 
-import pytest
 from api.fake_clinic import Clinic
 from api.served_routes import CHANGING, routes_of
 
