@@ -29,8 +29,8 @@ share_statements()
 LONGEST = (
     *("test_axe", "test_way", "test_chair_page", "test_story", "test_drawn_plan", "test_calibrate_page"),
     *("test_without_program", "test_view", "test_layout", "test_keyboard", "test_live_words", "test_people_page"),
-    *("test_drills_short", "test_odd_equipment", "test_stoppable", "test_study_sessions"),
-    *("test_upload_bombs", "test_backup_killed", "test_upgrade"),
+    *("test_short_losses", "test_removed_features", "test_stoppable", "test_study_sessions", "test_words_told"),
+    *("test_drills_short", "test_odd_equipment", "test_upload_bombs", "test_backup_killed", "test_upgrade"),
 )
 
 
