@@ -1,4 +1,4 @@
-"""The server's messages: each can be read, has one place and the values that it is given; each language has all."""
+"""The messages: each can be read, has one place and the values that it is given; each language has all of them."""
 
 import ast
 import re

@@ -79,7 +79,7 @@ def test_a_page_of_another_patient_is_covered_and_sends_nothing(tablets, served)
         )
     )
     expect(cover.get_by_role("heading")).to_be_focused()
-    for size in each_size(first):
+    for size in each_size(first, settle=0):
         keep(first, f"{size}-other-session")
         stop = first.locator("#stop").bounding_box()
         assert stop["x"] + stop["width"] <= window(size)["width"]

@@ -5,6 +5,7 @@ import shlex
 import shutil
 import subprocess
 import sys
+from functools import cache
 
 import pytest
 from cli.answers import output_of
@@ -73,16 +74,19 @@ def test_a_command_that_does_not_exist_would_be_found(words):
     assert complaint(words)
 
 
+@cache
+def help_of_pip(command):
+    words = [sys.executable, "-m", "pip", command, "--help"]
+    return subprocess.run(words, capture_output=True, text=True, check=True).stdout
+
+
 @pytest.mark.parametrize("words", OTHERS, ids=" ".join)
 def test_a_command_of_the_system_is_there_with_its_options(words):
     name = program(words)
     if name != "pip":
         assert name == "cd" or shutil.which(name)
         return
-    shown = subprocess.run(
-        [sys.executable, "-m", "pip", words[1], "--help"], capture_output=True, text=True, check=True
-    )
-    assert [word for word in words if word.startswith("--") and word not in shown.stdout] == []
+    assert [word for word in words if word.startswith("--") and word not in help_of_pip(words[1])] == []
 
 
 @pytest.mark.parametrize("words", [words for words in OURS if words[0] in {"about", "log"}], ids=" ".join)

@@ -46,7 +46,7 @@ def test_every_json_is_one_object(bodydrive, shirt, tmp_path):
         (("score", "trial.csv", "path.csv"), "e_diff"),
         (("floorplan", "import", "hall.yaml", "--out", "hall.json"), "walls"),
         (("floorplan", "list"), "floorplans"),
-        (("study", "--trials", "1", "--floorplan", "corridors", "--path", "main", "--out", "study"), "learning"),
+        (("study", "--trials=1", "--path=corridor", "--jobs=1", "--format=none", "--out=new"), "learning"),
         (("replay", "signals.csv", "--speed", "100", "--to", "127.0.0.1:9"), "frames"),
     ):
         assert key in parsed(bodydrive(*words, "--json")), words[0]
@@ -229,7 +229,7 @@ def test_without_matplotlib_a_study_says_so_before_it_works_and_goes_without_fig
     bodydrive, tmp_path, monkeypatch, seeds
 ):
     monkeypatch.setitem(sys.modules, "matplotlib", None)  # as if it were not installed
-    asked = ("study", "--out", "study", "--trials", 1, "--seeds", seeds, "--jobs", 1, "--floorplan", "corridors")
+    asked = ("study", "--out", "study", "--trials", 1, "--seeds", seeds, "--jobs", 1, "--path", "corridor")
     with monkeypatch.context() as before:
         before.setattr(study_runs, "run_study", pytest.fail)
         before.setattr(study_runs, "run_seeds", pytest.fail)

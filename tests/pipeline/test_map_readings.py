@@ -6,7 +6,6 @@ import numpy as np
 import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
-from scipy.signal import butter, lfilter
 
 from app.calibration.features import features
 from app.calibration.linear_map import AVERAGING_TIMES, LinearMap
@@ -116,6 +115,8 @@ def test_a_prior_map_decodes_the_features_that_it_was_learnt_from(rate):
 
 
 def test_the_rate_is_what_the_definition_says():
+    from scipy.signal import butter, lfilter
+
     parameters = guided_parameters((1,))
     values = make_signals(parameters, 3000)
     rate, activation = assert_alike(parameters, np.arange(3000) / 100, values)

@@ -9,6 +9,7 @@ from contextlib import contextmanager
 from pathlib import Path
 
 import pytest
+from api.one_hop import OneHop
 from odd_values import odd_values
 from processes.running_control import SIMULATED, refusal, running, tick_with
 
@@ -113,7 +114,10 @@ def clinic(folder):
         return processes[-1]
 
     app = create_app(settings, start_process, ComputingProcess())
-    with TestClient(app, base_url=BASE, raise_server_exceptions=False, client=("127.0.0.1", 50_000)) as client:
+    browser = ("127.0.0.1", 50_000)
+    with TestClient(app, base_url=BASE, raise_server_exceptions=False, client=browser) as client:
+        loop = client.portal.call(asyncio.get_running_loop)
+        client._transport = OneHop(app, loop, browser, client._transport)
         client.headers["Origin"] = BASE
         assert client.post("/api/v1/auth/demo", json={"code": "the-code-of-the-link"}).status_code == 200
         yield client, processes

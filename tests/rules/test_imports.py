@@ -127,10 +127,20 @@ def package_of(module: str) -> str:
     return parts[1] if len(parts) > 1 and (ROOT / "app" / parts[1]).is_dir() else LEAVES
 
 
+def statements(tree: ast.Module) -> Iterator[ast.AST]:
+    """Yield all statements of a module, also those within others; their expressions are far more."""
+    waiting: list[ast.AST] = [tree]
+    while waiting:
+        node = waiting.pop()
+        yield node
+        for parts in ("body", "orelse", "handlers", "finalbody", "cases"):
+            waiting += getattr(node, parts, ())
+
+
 def imports_of(file: Path) -> set[str]:
     """Return the modules that a file names, also those inside functions."""
     found: set[str] = set()
-    for node in ast.walk(ast.parse(file.read_text())):
+    for node in statements(ast.parse(file.read_text())):
         if isinstance(node, ast.Import):
             found.update(name.name for name in node.names)
         elif isinstance(node, ast.ImportFrom) and node.module:
