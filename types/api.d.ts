@@ -5667,14 +5667,20 @@ export interface paths {
             path?: never;
             cookie?: never;
         };
-        get: {
+        get?: never;
+        put?: never;
+        post: {
             parameters: {
                 query?: never;
                 header?: never;
                 path?: never;
                 cookie?: never;
             };
-            requestBody?: never;
+            requestBody: {
+                content: {
+                    "application/json": components["schemas"]["DraftOfFile"];
+                };
+            };
             responses: {
                 200: {
                     headers: {
@@ -5686,8 +5692,6 @@ export interface paths {
                 };
             };
         };
-        put?: never;
-        post?: never;
         delete?: never;
         options?: never;
         head?: never;
@@ -6462,6 +6466,9 @@ export interface components {
             width: number;
             /** @default 0 */
             heading: number;
+        };
+        DraftOfFile: {
+            file: string;
         };
         DraftView: {
             document: {
@@ -8757,6 +8764,7 @@ export type Discard = components['schemas']['Discard'];
 export type Discovery = components['schemas']['Discovery'];
 export type DiskView = components['schemas']['DiskView'];
 export type Door = components['schemas']['Door'];
+export type DraftOfFile = components['schemas']['DraftOfFile'];
 export type DraftView = components['schemas']['DraftView'];
 export type DriveMoment = components['schemas']['DriveMoment'];
 export type DriveParameters = components['schemas']['DriveParameters'];

@@ -108,5 +108,6 @@ def test_the_files_and_ports_of_the_page_are_those_of_the_program(tmp_path):
     assert written - {settings.state.name} <= set(re.findall(r"`([\w.-]+)/?`", table))
     assert f"TCP {settings.port} of {settings.host}" in text
     assert f"TCP {ports.HTTPS_PORT} of all addresses" in text
-    assert f"shirt {ports.SHIRT_PORT}, head tracker {ports.OPENTRACK_PORT} or {ports.FREEPIE_PORT}," in text
+    assert f"shirt {ports.SHIRT_PORT}, trackers {ports.SLIMEVR_PORT} (" in text
+    assert f"head tracker {ports.OPENTRACK_PORT} or {ports.FREEPIE_PORT}," in text
     assert f"UDP {ports.RECEIVER_PORT}; takes only commands" in text

@@ -15,7 +15,7 @@ from app.features.layouts.service import add_layout, bundled_layouts, delete_lay
 from app.features.layouts.tables import ClinicLayout
 from app.layout import ShirtLayout
 from app.news import News
-from app.quantities import Document
+from app.quantities import Document, Line
 from app.refusals import Conflict
 from app.session.equipment.choice import without_folders
 from app.session.equipment.shirt import Equipment
@@ -27,7 +27,12 @@ router = APIRouter(prefix="/layouts", tags=["layouts"])
 
 LayoutUse = Literal["none", "same", "changed"]
 LastSeconds = Annotated[int, Query(ge=10, le=120)]
-FileName = Annotated[str, Query(min_length=1, max_length=200)]
+
+
+class DraftOfFile(Document):
+    """The file of signals that a first layout is made of."""
+
+    file: Annotated[Line, Field(min_length=1, max_length=200)]  # a name from `files` of `GET /equipment`
 
 
 class ChangedLayout(Document):
@@ -108,12 +113,13 @@ def propose_joints(
     return _groups_view(joint_groups(frames, equipment.sample_rate))
 
 
-@router.get("/draft")
+@router.post("/draft")
+@any_session(OF_CLINIC)
 def draft_layout(
-    file: FileName, _person: Clinician, computing: ComputingPart, equipment: EquipmentPart, settings: SettingsPart
+    body: DraftOfFile, _person: Clinician, computing: ComputingPart, equipment: EquipmentPart, settings: SettingsPart
 ) -> LayoutDraftView:
-    """Return a first layout of a file of signals; `file` is a name from `files` of `GET /equipment`."""
-    path = Path(equipment.with_path({"file": file})["file"])
+    """Return a first layout of a file of signals; nothing is saved."""
+    path = Path(equipment.with_path({"file": body.file})["file"])
     try:
         draft = computing.ask(draft_of_file, path)
     except (ValueError, OSError) as error:

@@ -45,7 +45,7 @@ def test_the_pages_are_told_which_sensors_the_shirt_has_found(calibrated: Clinic
     assert calibrated.good("GET", "/equipment")["status"]["found"] == []
     with calibrated.socket("/live") as socket:
         calibrated.process.found = ["A1:B2:C3:D4:E5:F6"]
-        next_message(socket, lambda m: m.get("event") == "equipment")
+        next_message(socket, lambda m: m.get("news", {}).get("what") == "equipment")
         assert calibrated.good("GET", "/equipment")["status"]["found"] == ["A1:B2:C3:D4:E5:F6"]
 
 

@@ -171,13 +171,13 @@ def test_a_file_of_signals_has_a_draft(signed_in: Clinic, settings: Settings) ->
     file = Path(settings.files / "walk.csv")
     file.parent.mkdir(parents=True, exist_ok=True)
     file.write_text("\n".join(["t,a,b,c,d", *rows]) + "\n")
-    draft = signed_in.good("GET", "/layouts/draft?file=walk.csv")
+    draft = signed_in.good("POST", "/layouts/draft", json={"file": "walk.csv"})
     assert [channel["name"] for channel in draft["layout"]["channels"]] == ["a", "b", "c", "d"]
     assert not draft["has_joints"]
     assert draft["proposal"]["groups"] == [[0, 1], [2, 3]]
     file.write_text("t,a\n0,x\n")
-    assert signed_in.refused(409, "GET", "/layouts/draft?file=walk.csv").startswith("Walk.csv")
-    assert "Add a file" in signed_in.refused(404, "GET", "/layouts/draft?file=../clinic.sqlite")
+    assert signed_in.refused(409, "POST", "/layouts/draft", json={"file": "walk.csv"}).startswith("Walk.csv")
+    assert "Add a file" in signed_in.refused(404, "POST", "/layouts/draft", json={"file": "../clinic.sqlite"})
 
 
 def test_a_reviewer_sees_no_layouts(signed_in: Clinic) -> None:

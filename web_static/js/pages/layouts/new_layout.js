@@ -131,7 +131,7 @@ async function layoutOfFile(app, file) {
     layout,
     has_joints: hasJoints,
     proposal,
-  } = await app.api.get(`/layouts/draft?file=${encodeURIComponent(file)}`);
+  } = await app.api.post("/layouts/draft", { file });
   app.toasts.show(proposal.message);
   return hasJoints ? layout : withGroups(layout, proposal.groups, (number) => t("layouts-group", { number }));
 }
