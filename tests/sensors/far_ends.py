@@ -242,7 +242,7 @@ class CameraEnd(PagesEnd):
 
 
 class LslEnd(FarEnd):
-    """A stream of LSL; a cut is the end of its sender, which is then started again."""
+    """A stream of LSL with the times of a device; a cut is the end of its sender, which is then started again."""
 
     def __init__(self, rate, link, folder):
         super().__init__(rate, link, folder)
@@ -257,12 +257,14 @@ class LslEnd(FarEnd):
     def mend(self):
         info = self._lsl.StreamInfo("Far end", "MoCap", SENSORS, self.rate, "float32", STREAM)
         self._outlet = self._lsl.StreamOutlet(info)
+        self._begun, self._pushed = self._lsl.local_clock(), 0
         super().mend()
 
     def step(self, now):
         if not self.is_cut:
             self._values[0, :3] = time_parts(now)
-            self._outlet.push_chunk(self._values, [self._lsl.local_clock()])
+            self._outlet.push_chunk(self._values, [self._begun + self._pushed / self.rate])
+            self._pushed += 1
             self.sent += 1
 
 
