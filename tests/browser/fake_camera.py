@@ -93,4 +93,4 @@ class Traffic:
 
     def _opened(self, socket: Any) -> None:
         sent = self.messages.setdefault(socket.url.split("?")[0].rpartition("/api/v1")[2], [])
-        socket.on("framesent", sent.append)
+        socket.on("framesent", lambda frame: sent.append(frame))  # noqa: PLW0108  (Playwright marks the function)
