@@ -127,11 +127,7 @@ export function NewLayout({ list: { app, layouts, equipment }, onSaved }) {
 
 /** The first layout of a file of signals, with the joints that its signals say. @param {import("../../main.js").App} app @param {string} file its name @returns {Promise<ShirtLayout>} */
 async function layoutOfFile(app, file) {
-  const {
-    layout,
-    has_joints: hasJoints,
-    proposal,
-  } = await app.api.post("/layouts/draft", { file });
+  const { layout, has_joints: hasJoints, proposal } = await app.api.post("/layouts/draft", { file });
   app.toasts.show(proposal.message);
   return hasJoints ? layout : withGroups(layout, proposal.groups, (number) => t("layouts-group", { number }));
 }
