@@ -36,7 +36,9 @@ def texts_in(tree: ast.Module) -> Iterator[tuple[int, str]]:
             left_out.add(node.value)  # a docstring, or the description of a constant
         elif isinstance(node, ast.Call):
             left_out |= {keyword.value for keyword in node.keywords if keyword.arg in FOR_DEVELOPERS}
-            of = node.func.value if isinstance(node.func, ast.Attribute) else None
+            of: ast.expr = node.func
+            while isinstance(of, ast.Attribute | ast.Call):
+                of = of.value if isinstance(of, ast.Attribute) else of.func
             if isinstance(of, ast.Name) and of.id in LOGS:
                 left_out |= set(node.args)
         elif isinstance(node, ast.JoinedStr):
