@@ -16,7 +16,7 @@ OWN := $(INSTALL) --no-index --no-deps --no-build-isolation
 unexport PYTHONDONTWRITEBYTECODE
 
 .PHONY: demo test browser check format lint python-types javascript-types api-types
-.PHONY: safety compiled drills worlds soak long-recording people-soak large-clinic photographs
+.PHONY: safety compiled drills worlds sensors sources-tried soak long-recording people-soak large-clinic photographs
 .PHONY: words bench bench-compare verdicts page shipped pins clean
 
 $(VENV)/.installed: pyproject.toml hatch_build.py front_end_packages.py package-lock.json requirements/run.txt requirements/build.txt
@@ -107,6 +107,16 @@ drills: $(VENV)/.installed-test
 soak: $(VENV)/.installed-test
 	PYTHONPATH=tests $(BIN)/python -m soak --out docs/viewers.md
 
+# Each driver of a shirt at its full rate against a far end: SENSOR=UDP prints one and writes nothing; SENSOR_TIME in s.
+sensors: $(VENV)/.installed-test
+	PYTHONPATH=.:tests $(BIN)/python -m sensors $(if $(SENSOR_TIME),--seconds $(SENSOR_TIME)) \
+		$(if $(SENSOR),--only "$(SENSOR)",--out docs/sensors-measured.md)
+
+# Each source of movements in a browser, from a demonstration to a scored trial: SOURCES="udp camera" prints these and
+# writes nothing. Photographs: build/sources-tried.
+sources-tried: $(VENV)/.installed-test
+	PYTHONPATH=.:tests $(BIN)/python -m sources_tried $(if $(SOURCES),--only $(SOURCES),--out docs/sensors-measured.md)
+
 long-recording: $(VENV)/.installed-test
 	PYTHONPATH=.:tests $(BIN)/python -m soak.recording
 
@@ -147,6 +157,7 @@ PAGE_pictures = $(WITH_TESTS) $(BIN)/python -m pictures
 # Maps from other people, on real people (../shared/data/knit_people) and simulated ones kept apart; about ten minutes.
 PAGE_prior-measured = $(WITH_TESTS) $(BIN)/python -m bench.prior --people $(or $(PEOPLE),20)
 PAGE_promises = $(WITH_TESTS) $(BIN)/python -m promises
+PAGE_sensors-measured = $(MAKE) --no-print-directory sensors
 PAGE_speed = $(MAKE) --no-print-directory bench
 PAGE_verdicts = $(MAKE) --no-print-directory verdicts
 PAGE_viewers = $(MAKE) --no-print-directory soak

@@ -58,9 +58,17 @@ class CopiedFile(NamedTuple):
 
 FLUENT: Final = "@fluent/bundle"
 FLUENT_PARTS: Final = ("builtins", "bundle", "memoizer", "resolver", "resource", "scope", "types")
+POSE: Final = "@mediapipe/pose"
+# Its lite model; a browser without SIMD instructions for WebAssembly (before 2021, Safari before 2023) has no camera.
+POSE_PARTS: Final = (
+    *("pose.js", "pose_web.binarypb", "pose_landmark_lite.tflite"),
+    *("pose_solution_packed_assets.data", "pose_solution_packed_assets_loader.js"),
+    *("pose_solution_simd_wasm_bin.js", "pose_solution_simd_wasm_bin.wasm"),
+)
 FILES: Final = (
     CopiedFile(FLUENT, "esm/index.js", "index.js", FLUENT),
     *(CopiedFile(FLUENT, f"esm/{name}.js", f"{name}.js") for name in FLUENT_PARTS),
+    *(CopiedFile(POSE, name, name) for name in POSE_PARTS),
     CopiedFile("preact", "dist/preact.mjs", "preact.js", "preact"),
     CopiedFile("preact", "hooks/dist/hooks.mjs", "hooks.js", "preact/hooks"),
     CopiedFile("@preact/signals", "dist/signals.mjs", "signals.js", "@preact/signals"),
@@ -159,9 +167,9 @@ def _copy(root: Path, node_modules: Path, folder: Path) -> None:
         (folder / package.name).mkdir(parents=True)
         (folder / package.name / LICENCE).write_text(_licence(root, node_modules, package), "utf-8")
     for file in FILES:
-        text = _text(node_modules, file.package, file.source)
+        content = _content(node_modules, file.package, file.source)
         copy = folder / file.place
-        copy.write_text(_linked(text, file) if file.module else text, "utf-8")
+        copy.write_bytes(_linked(content.decode(), file).encode() if file.module else content)
         if file.module:
             # The types of the copy are those of the package in node_modules.
             copy.with_suffix(".d.ts").write_text(f'export {file.exported} from "{file.module}";\n', "utf-8")
@@ -172,12 +180,12 @@ def _licence(root: Path, node_modules: Path, package: LockedPackage) -> str:
     text = root / LICENCES / f"{package.licence}.txt"
     if text.exists() and not (node_modules / package.name / "LICENSE").exists():
         return text.read_text("utf-8")
-    return _text(node_modules, package.name, "LICENSE")
+    return _content(node_modules, package.name, "LICENSE").decode()
 
 
-def _text(node_modules: Path, package: str, source: str) -> str:
+def _content(node_modules: Path, package: str, source: str) -> bytes:
     try:
-        return (node_modules / package / source).read_text("utf-8")
+        return (node_modules / package / source).read_bytes()
     except FileNotFoundError:
         raise FetchError(f"{package} has no {source}, which front_end_packages.py copies.") from None
 

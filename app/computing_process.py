@@ -29,7 +29,7 @@ TOO_LONG: Final = Text("computing-too-long", limit=Figure(ANSWER_LIMIT))
 # What the functions import late. The process loads them while nobody asks, in the order in which they are used.
 SLOW_LIBRARIES: Final = (
     *("pyarrow", "pyarrow.parquet", "sklearn.decomposition", "shapely", "scipy.signal", "scipy.optimize"),
-    *("scipy.special", "scipy.stats", "pyarrow.csv"),
+    *("scipy.special", "scipy.stats", "scipy.io", "pyarrow.csv"),
 )
 
 Arguments = ParamSpec("Arguments")

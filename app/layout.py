@@ -5,11 +5,12 @@ from typing import Annotated, Final, Literal, Protocol, Self
 
 from pydantic import Field, model_validator
 
-from app.quantities import Document, Fraction, Name, Title
+from app.quantities import Document, Fraction, Line, Name, Title
 from app.texts import Text
 
 MAX_CHANNELS = 64
 MAX_JOINTS = 16
+Unit = Annotated[Line, Field(min_length=1, max_length=16)]
 MIN_RING = 3  # sensors: two look alike when they change places
 USUAL_JOINTS: Final[Mapping[str, tuple[Text, Text]]] = {
     "left_shoulder": (Text("joint-left-shoulder"), Text("joint-within-left-shoulder")),
@@ -18,6 +19,16 @@ USUAL_JOINTS: Final[Mapping[str, tuple[Text, Text]]] = {
     "right_elbow": (Text("joint-right-elbow"), Text("joint-within-right-elbow")),
     "left_wrist": (Text("joint-left-wrist"), Text("joint-within-left-wrist")),
     "right_wrist": (Text("joint-right-wrist"), Text("joint-within-right-wrist")),
+    "left_fingers": (Text("joint-left-fingers"), Text("joint-within-left-fingers")),
+    "right_fingers": (Text("joint-right-fingers"), Text("joint-within-right-fingers")),
+    "trunk": (Text("joint-trunk"), Text("joint-within-trunk")),
+    "head": (Text("joint-head"), Text("joint-within-head")),
+    "left_hip": (Text("joint-left-hip"), Text("joint-within-left-hip")),
+    "right_hip": (Text("joint-right-hip"), Text("joint-within-right-hip")),
+    "left_knee": (Text("joint-left-knee"), Text("joint-within-left-knee")),
+    "right_knee": (Text("joint-right-knee"), Text("joint-within-right-knee")),
+    "left_ankle": (Text("joint-left-ankle"), Text("joint-within-left-ankle")),
+    "right_ankle": (Text("joint-right-ankle"), Text("joint-within-right-ankle")),
 }
 """What people call joints that most shirts have: alone or at the beginning of a sentence, and within one."""
 
@@ -38,9 +49,13 @@ class Channel(Document):
     joint: Name
     position: tuple[Fraction, Fraction] | None = None
     side: Literal["front", "back"] | None = None
-    # Left out where they are not set, so that layouts from before the rings keep their hash.
+    # Left out where they are not set, so that layouts from before keep their hash.
     ring: Name | None = Field(default=None, exclude_if=is_missing)
     place: Annotated[int, Field(strict=True, ge=0, lt=MAX_CHANNELS)] | None = Field(default=None, exclude_if=is_missing)
+    unit: Unit | None = Field(default=None, exclude_if=is_missing)  # of its values, where the device says it
+    # What shows that the sensor works. None: its value, which always changes a little. "arrival": that it sends; its
+    # value may stay constant, because the driver makes it NaN as soon as nothing arrives (safety S5).
+    liveness: Literal["arrival"] | None = Field(default=None, exclude_if=is_missing)
 
 
 class Joint(Document):
@@ -120,9 +135,22 @@ class ShirtLayout(Document):
         return self.model_copy(update={"channels": channels})
 
     @property
+    def without_liveness(self) -> "ShirtLayout":
+        """The layout of a shirt whose driver watches over no sensor: every value has to change (safety S5)."""
+        if not any(self.may_stay_constant):
+            return self
+        channels = tuple(channel.model_copy(update={"liveness": None}) for channel in self.channels)
+        return self.model_copy(update={"channels": channels})
+
+    @property
     def channel_names(self) -> list[str]:
         """Names in the order of a frame's values."""
         return [channel.name for channel in self.channels]
+
+    @property
+    def may_stay_constant(self) -> list[bool]:
+        """Whether the value of each channel may stay constant, in the order of a frame's values (safety S5)."""
+        return [channel.liveness is not None for channel in self.channels]
 
     @property
     def joint_names(self) -> list[str]:

@@ -15,6 +15,8 @@ from app.layout import MAX_CHANNELS, MAX_JOINTS
 MAX_GESTURES = MAX_JOINTS
 
 NO_CUE = -1
+LONGEST_SAMPLE = 512  # bytes of what a page that is a sensor sends at once
+FRESH_PERIODS = 3.0  # periods of a sensor for which its newest sample counts; after them its channels are NaN
 ALIVE = 0.5  # s without a frame or a pose after which a device counts as silent, in sentences and in the status
 
 

@@ -16,6 +16,7 @@ What = Literal[
     "drive",
     "equipment",
     "graphics",
+    "phones",
     "record",
     "screens",
     "session",

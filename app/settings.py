@@ -65,6 +65,7 @@ class Settings:
     proxy: ProxyNetwork | None = None  # set: requests come through a proxy of this network, and in no other way
     public_name: str = ""  # HOST or HOST:PORT by which browsers reach the proxy
     network: NetworkService | None = None  # set: other machines reach the pages, over https
+    lsl: bool = False  # whether what is driven is sent over LSL, for everybody on the network
 
     @property
     def demo(self) -> bool:

@@ -1,7 +1,7 @@
 """The source of a recording: its shirt, the body inside a simulated shirt, its chair; and its description."""
 
 from collections.abc import Mapping
-from typing import Annotated, Literal
+from typing import Annotated, Final, Literal
 
 from pydantic import Field, ValidationError
 
@@ -11,12 +11,29 @@ from app.texts import Text
 UNKNOWN = "unknown"
 
 Kind = Annotated[str, Field(min_length=1, max_length=32)]
-SourceGroup = Literal["worn", "simulated", "unknown"]
+SourceGroup = Literal["worn", "camera", "phones", "slimevr", "bluetooth", "brainflow", "lsl", "simulated", "unknown"]
 """Trials of different groups are never in one curve, one assessment or one warning."""
 
-NAMED_SHIRTS = frozenset({"simulator", "replay", "udp", UNKNOWN})
+OWN_GROUPS: Final[Mapping[str, SourceGroup]] = {
+    "camera": "camera",
+    "phones": "phones",
+    "slimevr": "slimevr",
+    "bluetooth": "bluetooth",
+    "brainflow": "brainflow",
+    "lsl": "lsl",
+}
+"""The kinds of shirts that measure a body in another way than a worn shirt, each with the group of its own."""
+
+NAMED_SHIRTS = frozenset({*OWN_GROUPS, "simulator", "serial", "udp", "replay", UNKNOWN})
 NAMED_BODIES = frozenset({"person", "visitor", "recorded"})
 NAMED_CHAIRS = frozenset({"virtual", "udp", UNKNOWN})
+
+
+def source_group(shirt: str, simulated: bool | None) -> SourceGroup:
+    """Return the group of a kind of shirt; `simulated` says whether nobody wore it, None: unknown."""
+    if simulated is None:
+        return "unknown"
+    return "simulated" if simulated else OWN_GROUPS.get(shirt, "worn")
 
 
 class Source(Document):
@@ -30,9 +47,7 @@ class Source(Document):
     @property
     def group(self) -> SourceGroup:
         """Return the group of trials that a trial of this source is compared with."""
-        if self.simulated is None:
-            return "unknown"
-        return "simulated" if self.simulated else "worn"
+        return source_group(self.shirt, self.simulated)
 
 
 def source_description(source: Source) -> str:

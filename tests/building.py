@@ -1,6 +1,7 @@
-"""Makes small layouts, profiles, parameters and signals for tests, which fit together."""
+"""Makes small layouts, profiles, parameters and signals for tests, which fit together; none of these can be changed."""
 
 import uuid
+from functools import cache
 
 import numpy as np
 
@@ -17,6 +18,7 @@ PAPER_JOINTS = ("right_elbow", "left_elbow", "right_shoulder", "left_shoulder")
 AGREES = MapCheck(in_phase=0.95, hit_rate=0.7, false_per_minute=1.0, false_count=1)  # own repetitions with a map
 
 
+@cache
 def make_layout(n_channels=52, joints=PAPER_JOINTS):
     """Return a layout whose channels are assigned to the joints in turn."""
     return ShirtLayout(
@@ -65,6 +67,7 @@ def profile_of(layout, joints, low=0.0, high=1.0, sample_rate=100.0):
     )
 
 
+@cache
 def make_profile(n_channels=52, sample_rate=100.0, seed=1, joints=PAPER_JOINTS, dead_zone=0.2, full=1.0):
     """Return a profile with random unit weights and a range that no test signal leaves."""
     rng = np.random.default_rng(seed)
@@ -106,6 +109,7 @@ def guided_map(rates, dead_zone=0.2, full=1.0, **changes):
     return LinearMap(rates=rates, dead_zone=dead_zone, full=full, **learnt | changes)
 
 
+@cache
 def make_parameters(**changes) -> DriveParameters:
     """Return the paper's vocabulary on `make_profile(**changes)`."""
     return standard_parameters(make_profile(**changes))

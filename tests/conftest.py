@@ -1,5 +1,6 @@
 """What every test has: generated cases without a deadline, a umask of its own; on request a database and more."""
 
+import gc
 import os
 import shutil
 import sys
@@ -28,8 +29,8 @@ share_statements()
 LONGEST = (
     *("test_axe", "test_way", "test_chair_page", "test_story", "test_drawn_plan", "test_calibrate_page"),
     *("test_without_program", "test_view", "test_layout", "test_keyboard", "test_live_words", "test_people_page"),
-    *("test_drills_short", "test_odd_equipment", "test_stoppable", "test_study_sessions"),
-    *("test_upload_bombs", "test_backup_killed", "test_upgrade"),
+    *("test_short_losses", "test_removed_features", "test_stoppable", "test_study_sessions", "test_words_told"),
+    *("test_drills_short", "test_odd_equipment", "test_upload_bombs", "test_backup_killed", "test_upgrade"),
 )
 
 
@@ -37,6 +38,12 @@ LONGEST = (
 def pytest_collection_modifyitems(config: pytest.Config, items: list[pytest.Item]) -> None:
     if hasattr(config, "workerinput"):  # one of several processes
         items.sort(key=lambda item: LONGEST.index(item.path.stem) if item.path.stem in LONGEST else len(LONGEST))
+
+
+def pytest_collection_finish() -> None:
+    """Let garbage be looked for among what the tests make: the millions of objects that are there now stay anyway."""
+    gc.collect()
+    gc.freeze()
 
 
 @pytest.fixture(autouse=True)

@@ -11,6 +11,7 @@ import sys
 import threading
 import time
 from collections.abc import Callable, Iterator
+from contextlib import closing
 from functools import partial
 from pathlib import Path
 
@@ -27,9 +28,9 @@ LONG = 60.0  # s
 LOWEST = 19  # priority of a process, as nice counts it
 
 
-@pytest.fixture
+@pytest.fixture(scope="module")
 def computing() -> Iterator[ComputingProcess]:
-    """A computing process that starts with the first question."""
+    """A computing process that starts with the first question; each new one loads large libraries between two."""
     made = ComputingProcess()
     yield made
     made.close()
@@ -150,7 +151,8 @@ def test_an_idle_process_ends_and_comes_back() -> None:
     computing.close()
 
 
-def test_closing_ends_the_question_under_way(computing: ComputingProcess) -> None:
+def test_closing_ends_the_question_under_way() -> None:
+    computing = ComputingProcess()
     pid, refused = computing.ask(os.getpid), threading.Event()
 
     def wait() -> None:
@@ -184,14 +186,15 @@ def test_it_ends_with_the_process_that_asks() -> None:
     assert gone(pid)
 
 
-def test_begun_early_it_loads_what_answers_will_need(computing: ComputingProcess) -> None:
-    computing.begin()
-    assert computing._running is not None
-    started = psutil.Process(computing._running.process.pid)  # its command line is empty for a moment after its start
-    until = time.monotonic() + 150
-    while not all(f"/{name}" in str(started.memory_maps()) for name in ("scipy/", "sklearn/", "pyarrow/_csv")):
-        assert time.monotonic() < until
-        time.sleep(0.1)
+def test_begun_early_it_loads_what_answers_will_need() -> None:
+    with closing(ComputingProcess()) as computing:
+        computing.begin()
+        assert computing._running is not None
+        started = psutil.Process(computing._running.process.pid)  # its command line is empty for a moment at first
+        until = time.monotonic() + 150
+        while not all(f"/{name}" in str(started.memory_maps()) for name in ("scipy/", "sklearn/", "pyarrow/_csv")):
+            assert time.monotonic() < until
+            time.sleep(0.1)
 
 
 def test_every_library_that_measuring_imports_late_is_loaded_early() -> None:

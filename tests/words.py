@@ -1,4 +1,7 @@
-"""`make words LANGUAGE=fr`: what a language lacks beside English, what is left over, and what cannot be read."""
+"""`make words LANGUAGE=fr`: what a language lacks beside English, what is left over, and what cannot be read.
+
+It also names the texts that are as in English: of a copied folder at first all, at the end names such as "STOP".
+"""
 
 import re
 import sys
@@ -13,6 +16,8 @@ from folders import ROOT
 
 WORDS: Final = ROOT / "web_static" / "words"
 VALUE: Final = re.compile(r"\$(\w+)")
+PLACEABLE: Final = re.compile(r"\{[^{}]*\}")
+WORD: Final = re.compile(r"[A-Za-z]{3}")
 
 
 @cache
@@ -21,20 +26,25 @@ def entries_of(text: str) -> Sequence[ast.EntryType]:
     return FluentParser().parse(text).body
 
 
-def messages_of(file: Path) -> dict[str, set[str]]:
-    """Return the ids of a file's messages in their order, each with the names of its values.
+def texts_of(file: Path) -> dict[str, str]:
+    """Return the ids of a file's messages in their order, each with its text as it is written.
 
-    What cannot be read stands under its first line, without values.
+    What cannot be read stands under its first line, without a text.
     """
     if not file.exists():
         return {}
-    text, found = file.read_text(encoding="utf-8"), dict[str, set[str]]()
-    for entry in entries_of(text):
+    source, found = file.read_text(encoding="utf-8"), dict[str, str]()
+    for entry in entries_of(source):
         if isinstance(entry, ast.Message) and entry.value is not None and entry.value.span is not None:
-            found[entry.id.name] = set(VALUE.findall(text[entry.value.span.start : entry.value.span.end]))
+            found[entry.id.name] = source[entry.value.span.start : entry.value.span.end]
         elif isinstance(entry, ast.Junk):
-            found[(entry.content or "").partition("\n")[0]] = set()
+            found[(entry.content or "").partition("\n")[0]] = ""
     return found
+
+
+def messages_of(file: Path) -> dict[str, set[str]]:
+    """Return the ids of a file's messages in their order, each with the names of its values."""
+    return {name: set(VALUE.findall(text)) for name, text in texts_of(file).items()}
 
 
 def differences(language: str) -> list[str]:
@@ -54,9 +64,24 @@ def differences(language: str) -> list[str]:
     return found
 
 
+def untranslated(language: str) -> list[str]:
+    """Return in sentences which texts with words are as in English."""
+    english = WORDS / "en"
+    found = []
+    for file in sorted(file.relative_to(english) for file in english.rglob("*.ftl")):
+        translated = texts_of(WORDS / language / file)
+        found += [
+            f"{file}: {name} is as in English"
+            for name, text in texts_of(english / file).items()
+            if translated.get(name) == text and WORD.search(PLACEABLE.sub("", text))
+        ]
+    return found
+
+
 if __name__ == "__main__":
     if not (WORDS / sys.argv[1]).is_dir():
         sys.exit(f"There is no folder {WORDS / sys.argv[1]}: copy that of English first (docs/translating.md).")
-    lines = differences(sys.argv[1])
-    sys.stdout.write("".join(f"{line}\n" for line in lines))
+    alike, lines = untranslated(sys.argv[1]), differences(sys.argv[1])
+    sys.stdout.write("".join(f"{line}\n" for line in [*alike, *lines]))
+    sys.stdout.write(f"{len(alike)} texts are as in English\n")
     sys.exit(f"{len(lines)} differences" if lines else 0)

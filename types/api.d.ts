@@ -1095,7 +1095,7 @@ export interface paths {
             };
             requestBody: {
                 content: {
-                    "application/json": components["schemas"]["SimulatorConfig"] | components["schemas"]["ReplayConfig"] | components["schemas"]["UdpConfig"];
+                    "application/json": components["schemas"]["SimulatorConfig"] | components["schemas"]["CameraConfig"] | components["schemas"]["PhonesConfig"] | components["schemas"]["SlimeVrConfig"] | components["schemas"]["BluetoothConfig"] | components["schemas"]["SerialConfig"] | components["schemas"]["BrainFlowConfig"] | components["schemas"]["LslConfig"] | components["schemas"]["UdpConfig"] | components["schemas"]["ReplayConfig"];
                 };
             };
             responses: {
@@ -3586,6 +3586,180 @@ export interface paths {
         patch?: never;
         trace?: never;
     };
+    "/api/v1/phones": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        get: {
+            parameters: {
+                query?: never;
+                header?: never;
+                path?: never;
+                cookie?: never;
+            };
+            requestBody?: never;
+            responses: {
+                200: {
+                    headers: {
+                        [name: string]: unknown;
+                    };
+                    content: {
+                        "application/json": components["schemas"]["PhonesView"];
+                    };
+                };
+            };
+        };
+        put?: never;
+        post?: never;
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
+    "/api/v1/phones/pairing": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        get?: never;
+        put?: never;
+        post: {
+            parameters: {
+                query?: never;
+                header?: never;
+                path?: never;
+                cookie?: never;
+            };
+            requestBody?: never;
+            responses: {
+                201: {
+                    headers: {
+                        [name: string]: unknown;
+                    };
+                    content: {
+                        "application/json": components["schemas"]["OfferView"];
+                    };
+                };
+            };
+        };
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
+    "/api/v1/phones/pair": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        get?: never;
+        put?: never;
+        post: {
+            parameters: {
+                query?: never;
+                header?: never;
+                path?: never;
+                cookie?: never;
+            };
+            requestBody: {
+                content: {
+                    "application/json": components["schemas"]["Code"];
+                };
+            };
+            responses: {
+                200: {
+                    headers: {
+                        [name: string]: unknown;
+                    };
+                    content: {
+                        "application/json": components["schemas"]["PhoneStateView"];
+                    };
+                };
+            };
+        };
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
+    "/api/v1/phones/me": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        get: {
+            parameters: {
+                query?: never;
+                header?: never;
+                path?: never;
+                cookie?: never;
+            };
+            requestBody?: never;
+            responses: {
+                200: {
+                    headers: {
+                        [name: string]: unknown;
+                    };
+                    content: {
+                        "application/json": components["schemas"]["PhoneStateView"];
+                    };
+                };
+            };
+        };
+        put?: never;
+        post?: never;
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
+    "/api/v1/phones/{number}": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        get?: never;
+        put?: never;
+        post?: never;
+        delete: {
+            parameters: {
+                query?: never;
+                header?: never;
+                path?: never;
+                cookie?: never;
+            };
+            requestBody?: never;
+            responses: {
+                200: {
+                    headers: {
+                        [name: string]: unknown;
+                    };
+                    content: {
+                        "application/json": components["schemas"]["PhonesView"];
+                    };
+                };
+            };
+        };
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
     "/api/v1/patient-screen": {
         parameters: {
             query?: never;
@@ -5396,6 +5570,190 @@ export interface paths {
         patch?: never;
         trace?: never;
     };
+    "/api/v1/layouts": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        get: {
+            parameters: {
+                query?: never;
+                header?: never;
+                path?: never;
+                cookie?: never;
+            };
+            requestBody?: never;
+            responses: {
+                200: {
+                    headers: {
+                        [name: string]: unknown;
+                    };
+                    content: {
+                        "application/json": components["schemas"]["LayoutsView"];
+                    };
+                };
+            };
+        };
+        put?: never;
+        post: {
+            parameters: {
+                query?: never;
+                header?: never;
+                path?: never;
+                cookie?: never;
+            };
+            requestBody: {
+                content: {
+                    "application/json": components["schemas"]["ShirtLayout"];
+                };
+            };
+            responses: {
+                201: {
+                    headers: {
+                        [name: string]: unknown;
+                    };
+                    content: {
+                        "application/json": components["schemas"]["LayoutsView"];
+                    };
+                };
+            };
+        };
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
+    "/api/v1/layouts/proposal": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        get: {
+            parameters: {
+                query?: never;
+                header?: never;
+                path?: never;
+                cookie?: never;
+            };
+            requestBody?: never;
+            responses: {
+                200: {
+                    headers: {
+                        [name: string]: unknown;
+                    };
+                    content: {
+                        "application/json": components["schemas"]["JointGroupsView"];
+                    };
+                };
+            };
+        };
+        put?: never;
+        post?: never;
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
+    "/api/v1/layouts/draft": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        get?: never;
+        put?: never;
+        post: {
+            parameters: {
+                query?: never;
+                header?: never;
+                path?: never;
+                cookie?: never;
+            };
+            requestBody: {
+                content: {
+                    "application/json": components["schemas"]["DraftOfFile"];
+                };
+            };
+            responses: {
+                200: {
+                    headers: {
+                        [name: string]: unknown;
+                    };
+                    content: {
+                        "application/json": components["schemas"]["LayoutDraftView"];
+                    };
+                };
+            };
+        };
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
+    "/api/v1/layouts/{layout_id}": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        get?: never;
+        put: {
+            parameters: {
+                query?: never;
+                header?: never;
+                path?: never;
+                cookie?: never;
+            };
+            requestBody: {
+                content: {
+                    "application/json": components["schemas"]["ChangedLayout"];
+                };
+            };
+            responses: {
+                200: {
+                    headers: {
+                        [name: string]: unknown;
+                    };
+                    content: {
+                        "application/json": components["schemas"]["LayoutsView"];
+                    };
+                };
+            };
+        };
+        post?: never;
+        delete: {
+            parameters: {
+                query?: never;
+                header?: never;
+                path?: never;
+                cookie?: never;
+            };
+            requestBody?: never;
+            responses: {
+                200: {
+                    headers: {
+                        [name: string]: unknown;
+                    };
+                    content: {
+                        "application/json": components["schemas"]["LayoutsView"];
+                    };
+                };
+            };
+        };
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
     "/api/v1/view/{role}/camera": {
         parameters: {
             query?: never;
@@ -5546,6 +5904,13 @@ export interface components {
             /** @default false */
             mirrored: boolean;
         };
+        ArrivalsMoment: {
+            /** @enum {string} */
+            verdict: "arrives" | "waiting" | "nothing" | "foreign" | "refused" | "late" | "repeated" | "disk" | "senders" | "rate" | "unplaced" | "moving" | "idle" | "nobody" | "unopened" | "gone" | "ended";
+            message: string;
+            accepted: number;
+            left_out: number;
+        };
         AttentionView: {
             /** @enum {string} */
             reason: "drive" | "deterioration" | "halted" | "comment" | "unsigned" | "absent";
@@ -5615,6 +5980,57 @@ export interface components {
             before: components["schemas"]["BoundGestures"][];
             now: components["schemas"]["BoundGestures"][];
         };
+        BluetoothConfig: {
+            /**
+             * @description discriminator enum property added by openapi-typescript
+             * @enum {string}
+             */
+            kind: "bluetooth";
+            /**
+             * @default 50
+             * @example 10
+             * @example 20
+             * @example 50
+             * @example 100
+             */
+            sample_rate?: number;
+            /** @default true */
+            from_neighbour?: boolean;
+            /** Format: tracker */
+            trunk?: string | null;
+            /** Format: tracker */
+            chair?: string | null;
+            /** Format: tracker */
+            head?: string | null;
+            /** Format: tracker */
+            left_upper_arm?: string | null;
+            /** Format: tracker */
+            right_upper_arm?: string | null;
+            /** Format: tracker */
+            left_forearm?: string | null;
+            /** Format: tracker */
+            right_forearm?: string | null;
+            /** Format: tracker */
+            left_hand?: string | null;
+            /** Format: tracker */
+            right_hand?: string | null;
+            /** Format: tracker */
+            left_fingers?: string | null;
+            /** Format: tracker */
+            right_fingers?: string | null;
+            /** Format: tracker */
+            left_thigh?: string | null;
+            /** Format: tracker */
+            right_thigh?: string | null;
+            /** Format: tracker */
+            left_lower_leg?: string | null;
+            /** Format: tracker */
+            right_lower_leg?: string | null;
+            /** Format: tracker */
+            left_foot?: string | null;
+            /** Format: tracker */
+            right_foot?: string | null;
+        };
         Body_bring_file_api_v1_equipment_files_post: {
             file: string;
         };
@@ -5650,6 +6066,36 @@ export interface components {
             /** @default 0 */
             angle: number;
             model: string | null;
+        };
+        BrainFlowConfig: {
+            /**
+             * @description discriminator enum property added by openapi-typescript
+             * @enum {string}
+             */
+            kind: "brainflow";
+            /** @default CYTON_BOARD */
+            board?: string;
+            /** @default accel */
+            data?: string;
+            /**
+             * @default default
+             * @enum {string}
+             */
+            preset?: "default" | "auxiliary" | "ancillary";
+            serial_port?: string | null;
+            mac_address?: string | null;
+            ip_address?: string | null;
+            /** @default 0 */
+            ip_port?: number;
+            serial_number?: string | null;
+            other_info?: string | null;
+            /** Format: layout */
+            layout?: components["schemas"]["ShirtLayout"] | null;
+        };
+        BundledLayoutView: {
+            /** @enum {string} */
+            use: "none" | "same" | "changed";
+            layout: components["schemas"]["ShirtLayout"];
         };
         CalibrationProfile: {
             /**
@@ -5698,6 +6144,20 @@ export interface components {
             roll_share?: number | null;
             head?: boolean | null;
         };
+        CameraConfig: {
+            /**
+             * @description discriminator enum property added by openapi-typescript
+             * @enum {string}
+             */
+            kind: "camera";
+            /**
+             * @default 30
+             * @example 10
+             * @example 15
+             * @example 30
+             */
+            sample_rate?: number;
+        };
         ChairMoment: {
             /** @default udp */
             kind: string;
@@ -5745,6 +6205,10 @@ export interface components {
             dynamics: "unicycle" | "wheelchair";
             message: string;
         };
+        ChangedLayout: {
+            version: number;
+            layout: components["schemas"]["ShirtLayout"];
+        };
         Channel: {
             name: string;
             joint: string;
@@ -5755,6 +6219,8 @@ export interface components {
             side: ("front" | "back") | null;
             ring: string | null;
             place: number | null;
+            unit: string | null;
+            liveness: "arrival" | null;
         };
         ChannelLine: {
             name: string;
@@ -5776,6 +6242,14 @@ export interface components {
         };
         ChosenSender: {
             sender: string;
+        };
+        ClinicLayoutView: {
+            id: number;
+            version: number;
+            saved: string;
+            /** @enum {string} */
+            use: "none" | "same" | "changed";
+            layout: components["schemas"]["ShirtLayout"];
         };
         Code: {
             code: string;
@@ -5802,7 +6276,7 @@ export interface components {
         };
         ComparedTests: {
             /** @enum {string} */
-            source: "worn" | "simulated" | "unknown";
+            source: "worn" | "camera" | "phones" | "slimevr" | "bluetooth" | "brainflow" | "lsl" | "simulated" | "unknown";
             complete: [
                 number,
                 number
@@ -5996,6 +6470,9 @@ export interface components {
             width: number;
             /** @default 0 */
             heading: number;
+        };
+        DraftOfFile: {
+            file: string;
         };
         DraftView: {
             document: {
@@ -6445,7 +6922,7 @@ export interface components {
         };
         InterfaceTestsView: {
             tests: components["schemas"]["InterfaceTestView"][];
-            source: ("worn" | "simulated" | "unknown") | null;
+            source: ("worn" | "camera" | "phones" | "slimevr" | "bluetooth" | "brainflow" | "lsl" | "simulated" | "unknown") | null;
             course: components["schemas"]["InterfaceCourse"];
         };
         InterfaceVerdicts: {
@@ -6466,6 +6943,11 @@ export interface components {
         Joint: {
             name: string;
             label: string;
+        };
+        JointGroupsView: {
+            message: string;
+            groups: number[][];
+            still: number[];
         };
         JointLines: {
             name: string;
@@ -6558,13 +7040,22 @@ export interface components {
             hash: string;
             title: string;
         };
+        LayoutDraftView: {
+            layout: components["schemas"]["ShirtLayout"];
+            has_joints: boolean;
+            proposal: components["schemas"]["JointGroupsView"];
+        };
+        LayoutsView: {
+            own: components["schemas"]["ClinicLayoutView"][];
+            bundled: components["schemas"]["BundledLayoutView"][];
+        };
         LeadingMeasures: {
             has: string[];
             names: string[];
         };
         LearningView: {
             /** @enum {string} */
-            source: "worn" | "simulated" | "unknown";
+            source: "worn" | "camera" | "phones" | "slimevr" | "bluetooth" | "brainflow" | "lsl" | "simulated" | "unknown";
             others: {
                 [key: string]: number;
             };
@@ -6747,6 +7238,21 @@ export interface components {
             entries: components["schemas"]["LogEntryView"][];
             has_more: boolean;
             people: string[];
+        };
+        LslConfig: {
+            /**
+             * @description discriminator enum property added by openapi-typescript
+             * @enum {string}
+             */
+            kind: "lsl";
+            name?: string | null;
+            source_id?: string | null;
+            type?: string | null;
+            host?: string | null;
+            /** @default 50 */
+            sample_rate?: number;
+            /** Format: layout */
+            layout?: components["schemas"]["ShirtLayout"] | null;
         };
         MachineView: {
             /** @enum {string} */
@@ -6950,7 +7456,7 @@ export interface components {
         };
         News: {
             /** @enum {string} */
-            what: "adaptation" | "backups" | "calibration" | "comment" | "consent" | "controls" | "disk" | "drive" | "equipment" | "graphics" | "record" | "screens" | "session" | "shares" | "test" | "trial";
+            what: "adaptation" | "backups" | "calibration" | "comment" | "consent" | "controls" | "disk" | "drive" | "equipment" | "graphics" | "phones" | "record" | "screens" | "session" | "shares" | "test" | "trial";
             /** @default null */
             patient: number | null;
             /** @default null */
@@ -7035,6 +7541,12 @@ export interface components {
             signed_out: number;
             /** @default 4409 */
             screen_in_use: number;
+            /** @default 4409 */
+            camera_in_use: number;
+            /** @default 4410 */
+            camera_unwanted: number;
+            /** @default 4409 */
+            phone_elsewhere: number;
             /** @default 10 */
             lock_minutes: number;
             /** @default 2 */
@@ -7198,6 +7710,7 @@ export interface components {
             drives: boolean;
             cue: components["schemas"]["PatientCue"] | null;
             over: components["schemas"]["TrialEnd"] | null;
+            camera: boolean;
             asks: components["schemas"]["ScreenSettings"];
         };
         PatientTrial: {
@@ -7245,6 +7758,63 @@ export interface components {
             state: "active" | "invited" | "disabled";
             link_until: string | null;
             is_you: boolean;
+        };
+        PhoneStateView: {
+            number: number | null;
+        };
+        PhoneView: {
+            number: number;
+            paired: string;
+            connected: boolean;
+            part: string | null;
+        };
+        PhonesConfig: {
+            /**
+             * @description discriminator enum property added by openapi-typescript
+             * @enum {string}
+             */
+            kind: "phones";
+            /** @default 50 */
+            sample_rate?: number;
+            /** @default true */
+            from_neighbour?: boolean;
+            /** Format: tracker */
+            trunk?: string | null;
+            /** Format: tracker */
+            chair?: string | null;
+            /** Format: tracker */
+            head?: string | null;
+            /** Format: tracker */
+            left_upper_arm?: string | null;
+            /** Format: tracker */
+            right_upper_arm?: string | null;
+            /** Format: tracker */
+            left_forearm?: string | null;
+            /** Format: tracker */
+            right_forearm?: string | null;
+            /** Format: tracker */
+            left_hand?: string | null;
+            /** Format: tracker */
+            right_hand?: string | null;
+            /** Format: tracker */
+            left_fingers?: string | null;
+            /** Format: tracker */
+            right_fingers?: string | null;
+            /** Format: tracker */
+            left_thigh?: string | null;
+            /** Format: tracker */
+            right_thigh?: string | null;
+            /** Format: tracker */
+            left_lower_leg?: string | null;
+            /** Format: tracker */
+            right_lower_leg?: string | null;
+            /** Format: tracker */
+            left_foot?: string | null;
+            /** Format: tracker */
+            right_foot?: string | null;
+        };
+        PhonesView: {
+            phones: components["schemas"]["PhoneView"][];
         };
         PlotsChoice: {
             open: boolean;
@@ -7313,6 +7883,8 @@ export interface components {
             quality: string[];
             noise: (number | null)[];
             shirt_words: string;
+            /** @default null */
+            arrivals: components["schemas"]["ArrivalsMoment"] | null;
         };
         QualityRow: {
             id: number;
@@ -7330,7 +7902,7 @@ export interface components {
         };
         QualityView: {
             /** @enum {string} */
-            source: "worn" | "simulated" | "unknown";
+            source: "worn" | "camera" | "phones" | "slimevr" | "bluetooth" | "brainflow" | "lsl" | "simulated" | "unknown";
             trials: components["schemas"]["QualityRow"][];
             labels: {
                 [key: string]: string;
@@ -7397,6 +7969,8 @@ export interface components {
             file: string;
             /** @default true */
             loop?: boolean;
+            /** Format: layout */
+            layout?: components["schemas"]["ShirtLayout"] | null;
         };
         ReplayMoment: {
             t: number;
@@ -7491,6 +8065,36 @@ export interface components {
             shirt: string;
             other: string;
             others: number;
+        };
+        SerialConfig: {
+            /**
+             * @description discriminator enum property added by openapi-typescript
+             * @enum {string}
+             */
+            kind: "serial";
+            /** @default /dev/ttyACM0 */
+            device?: string;
+            /**
+             * @default 115200
+             * @example 115200
+             * @example 230400
+             * @example 250000
+             * @example 460800
+             * @example 500000
+             * @example 921600
+             * @example 1000000
+             * @example 2000000
+             */
+            baud?: number;
+            /**
+             * @default frames
+             * @enum {string}
+             */
+            format?: "frames" | "lines";
+            /** @default 100 */
+            sample_rate?: number;
+            /** Format: layout */
+            layout?: components["schemas"]["ShirtLayout"];
         };
         SessionComparison: {
             earlier: components["schemas"]["SessionRecordView"];
@@ -7598,6 +8202,7 @@ export interface components {
             kind: string;
             simulated: boolean;
             network: boolean;
+            may_arm: string;
             form: {
                 [key: string]: unknown;
             };
@@ -7664,12 +8269,63 @@ export interface components {
             joint: string;
             is_right: boolean;
         };
+        SlimeVrConfig: {
+            /**
+             * @description discriminator enum property added by openapi-typescript
+             * @enum {string}
+             */
+            kind: "slimevr";
+            /** @default 50 */
+            sample_rate?: number;
+            /** @default true */
+            from_neighbour?: boolean;
+            /** Format: tracker */
+            trunk?: string | null;
+            /** Format: tracker */
+            chair?: string | null;
+            /** Format: tracker */
+            head?: string | null;
+            /** Format: tracker */
+            left_upper_arm?: string | null;
+            /** Format: tracker */
+            right_upper_arm?: string | null;
+            /** Format: tracker */
+            left_forearm?: string | null;
+            /** Format: tracker */
+            right_forearm?: string | null;
+            /** Format: tracker */
+            left_hand?: string | null;
+            /** Format: tracker */
+            right_hand?: string | null;
+            /** Format: tracker */
+            left_fingers?: string | null;
+            /** Format: tracker */
+            right_fingers?: string | null;
+            /** Format: tracker */
+            left_thigh?: string | null;
+            /** Format: tracker */
+            right_thigh?: string | null;
+            /** Format: tracker */
+            left_lower_leg?: string | null;
+            /** Format: tracker */
+            right_lower_leg?: string | null;
+            /** Format: tracker */
+            left_foot?: string | null;
+            /** Format: tracker */
+            right_foot?: string | null;
+            /** @default 0.0.0.0 */
+            host?: string;
+            /** @default 6969 */
+            port?: number;
+        };
         SourceView: {
             shirt: string;
             body: string | null;
             chair: string;
             simulated: boolean | null;
             description: string;
+            /** @enum {string} */
+            group: "worn" | "camera" | "phones" | "slimevr" | "bluetooth" | "brainflow" | "lsl" | "simulated" | "unknown";
         };
         Speeds: {
             /** @default 0.8 */
@@ -7716,6 +8372,7 @@ export interface components {
             alive: boolean;
             sample_rate: number;
             lost: number;
+            found: string[];
             realtime: string[];
             control: string;
         };
@@ -7773,7 +8430,7 @@ export interface components {
             path: string;
             path_title: string;
             /** @enum {string} */
-            source: "worn" | "simulated" | "unknown";
+            source: "worn" | "camera" | "phones" | "slimevr" | "bluetooth" | "brainflow" | "lsl" | "simulated" | "unknown";
             trials: [
                 number,
                 number
@@ -7791,7 +8448,7 @@ export interface components {
             path_name: string;
             path_title: string;
             /** @enum {string} */
-            source: "worn" | "simulated" | "unknown";
+            source: "worn" | "camera" | "phones" | "slimevr" | "bluetooth" | "brainflow" | "lsl" | "simulated" | "unknown";
             trials: {
                 [key: string]: unknown;
             }[];
@@ -8048,6 +8705,7 @@ export type AdaptationModeChoice = components['schemas']['AdaptationModeChoice']
 export type AdaptationView = components['schemas']['AdaptationView'];
 export type ArchiveRoomView = components['schemas']['ArchiveRoomView'];
 export type Arrangement = components['schemas']['Arrangement'];
+export type ArrivalsMoment = components['schemas']['ArrivalsMoment'];
 export type AttentionView = components['schemas']['AttentionView'];
 export type Back = components['schemas']['Back'];
 export type BackupSettings = components['schemas']['BackupSettings'];
@@ -8055,24 +8713,30 @@ export type BackupsView = components['schemas']['BackupsView'];
 export type BadChannel = components['schemas']['BadChannel'];
 export type Binding = components['schemas']['Binding'];
 export type BindingDifference = components['schemas']['BindingDifference'];
+export type BluetoothConfig = components['schemas']['BluetoothConfig'];
 export type BodyBringFileApiV1EquipmentFilesPost = components['schemas']['Body_bring_file_api_v1_equipment_files_post'];
 export type BodyBringModelApiV1ModelsPost = components['schemas']['Body_bring_model_api_v1_models_post'];
 export type BodyImportFilesApiV1FloorplansImportPost = components['schemas']['Body_import_files_api_v1_floorplans_import_post'];
 export type BoundGestures = components['schemas']['BoundGestures'];
 export type Box = components['schemas']['Box'];
+export type BrainFlowConfig = components['schemas']['BrainFlowConfig'];
+export type BundledLayoutView = components['schemas']['BundledLayoutView'];
 export type CalibrationProfile = components['schemas']['CalibrationProfile'];
 export type CalibrationView = components['schemas']['CalibrationView'];
 export type CameraChoice = components['schemas']['CameraChoice'];
+export type CameraConfig = components['schemas']['CameraConfig'];
 export type ChairMoment = components['schemas']['ChairMoment'];
 export type ChairStateView = components['schemas']['ChairStateView'];
 export type ChairSummary = components['schemas']['ChairSummary'];
 export type ChairView = components['schemas']['ChairView'];
 export type ChairsView = components['schemas']['ChairsView'];
+export type ChangedLayout = components['schemas']['ChangedLayout'];
 export type Channel = components['schemas']['Channel'];
 export type ChannelLine = components['schemas']['ChannelLine'];
 export type CheckView = components['schemas']['CheckView'];
 export type Choice = components['schemas']['Choice'];
 export type ChosenSender = components['schemas']['ChosenSender'];
+export type ClinicLayoutView = components['schemas']['ClinicLayoutView'];
 export type Code = components['schemas']['Code'];
 export type CommentRevisionView = components['schemas']['CommentRevisionView'];
 export type CommentView = components['schemas']['CommentView'];
@@ -8104,6 +8768,7 @@ export type Discard = components['schemas']['Discard'];
 export type Discovery = components['schemas']['Discovery'];
 export type DiskView = components['schemas']['DiskView'];
 export type Door = components['schemas']['Door'];
+export type DraftOfFile = components['schemas']['DraftOfFile'];
 export type DraftView = components['schemas']['DraftView'];
 export type DriveMoment = components['schemas']['DriveMoment'];
 export type DriveParameters = components['schemas']['DriveParameters'];
@@ -8153,6 +8818,7 @@ export type InterfaceVerdicts = components['schemas']['InterfaceVerdicts'];
 export type InvitationCode = components['schemas']['InvitationCode'];
 export type InvitedView = components['schemas']['InvitedView'];
 export type Joint = components['schemas']['Joint'];
+export type JointGroupsView = components['schemas']['JointGroupsView'];
 export type JointLines = components['schemas']['JointLines'];
 export type JointMap = components['schemas']['JointMap'];
 export type JointQuality = components['schemas']['JointQuality'];
@@ -8160,6 +8826,8 @@ export type JointView = components['schemas']['JointView'];
 export type KeptView = components['schemas']['KeptView'];
 export type LanguageChoice = components['schemas']['LanguageChoice'];
 export type LatestPractice = components['schemas']['LatestPractice'];
+export type LayoutDraftView = components['schemas']['LayoutDraftView'];
+export type LayoutsView = components['schemas']['LayoutsView'];
 export type LeadingMeasures = components['schemas']['LeadingMeasures'];
 export type LearningView = components['schemas']['LearningView'];
 export type LevelView = components['schemas']['LevelView'];
@@ -8172,6 +8840,7 @@ export type LiveMessage = components['schemas']['LiveMessage'];
 export type LogCheckView = components['schemas']['LogCheckView'];
 export type LogEntryView = components['schemas']['LogEntryView'];
 export type LogView = components['schemas']['LogView'];
+export type LslConfig = components['schemas']['LslConfig'];
 export type MachineView = components['schemas']['MachineView'];
 export type MadeBackupView = components['schemas']['MadeBackupView'];
 export type MadeShare = components['schemas']['MadeShare'];
@@ -8227,6 +8896,10 @@ export type PatientTrial = components['schemas']['PatientTrial'];
 export type PatientView = components['schemas']['PatientView'];
 export type PersonConfig = components['schemas']['PersonConfig'];
 export type PersonView = components['schemas']['PersonView'];
+export type PhoneStateView = components['schemas']['PhoneStateView'];
+export type PhoneView = components['schemas']['PhoneView'];
+export type PhonesConfig = components['schemas']['PhonesConfig'];
+export type PhonesView = components['schemas']['PhonesView'];
 export type PlotsChoice = components['schemas']['PlotsChoice'];
 export type PracticeShirt = components['schemas']['PracticeShirt'];
 export type PracticeView = components['schemas']['PracticeView'];
@@ -8264,6 +8937,7 @@ export type ScreenStateView = components['schemas']['ScreenStateView'];
 export type ScreenView = components['schemas']['ScreenView'];
 export type ScreensView = components['schemas']['ScreensView'];
 export type SendersView = components['schemas']['SendersView'];
+export type SerialConfig = components['schemas']['SerialConfig'];
 export type SessionComparison = components['schemas']['SessionComparison'];
 export type SessionDrive = components['schemas']['SessionDrive'];
 export type SessionRecordView = components['schemas']['SessionRecordView'];
@@ -8281,6 +8955,7 @@ export type SignOffView = components['schemas']['SignOffView'];
 export type SimulatedHeadConfig = components['schemas']['SimulatedHeadConfig'];
 export type SimulatorConfig = components['schemas']['SimulatorConfig'];
 export type SittingChoice = components['schemas']['SittingChoice'];
+export type SlimeVrConfig = components['schemas']['SlimeVrConfig'];
 export type SourceView = components['schemas']['SourceView'];
 export type Speeds = components['schemas']['Speeds'];
 export type Stage = components['schemas']['Stage'];

@@ -108,6 +108,7 @@ export type FieldSchema = {
   maxLength?: number;
   examples?: (string | number)[];
   enum?: (string | number)[];
+  titles?: Record<string, string>;
   choices?: { title: string; at: number[] }[];
   anyOf?: FieldSchema[];
 };
@@ -115,6 +116,7 @@ export type ConfigSchema = {
   title: string;
   description: string;
   in_use: string;
+  facts?: { needs: string; costs: string; takes: string };
   properties: Record<string, FieldSchema>;
 };
 export type ShirtKind = Omit<ShirtKindView, "form"> & { form: ConfigSchema };

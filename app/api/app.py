@@ -16,7 +16,7 @@ from app.api.computer import this_computer
 from app.api.deps import Owner, viewer
 from app.api.driving import places
 from app.api.guard import Guard
-from app.api.live import live_socket, screen_socket
+from app.api.live import camera_socket, live_socket, phone_socket, screen_socket
 from app.api.page_session import clinician_in_session
 from app.api.pages import Pages, PagesFirst, docs_pages
 from app.api.parts import Parts, parts_of
@@ -38,6 +38,7 @@ from app.api.routes import (
     models,
     patients,
     people,
+    phone_pairing,
     plans,
     reference,
     replacements,
@@ -99,6 +100,9 @@ ROUTES = (
     package_download,
     live_socket,
     screen_socket,
+    camera_socket,
+    phone_socket,
+    phone_pairing,
     patient_screen,
     patient_socket,
     trial_plan,

@@ -10,9 +10,11 @@ from app.api.computer.graphics import Graphics
 from app.api.computer.measurement import Measurement
 from app.api.driving.clinic_places import ClinicPlaces
 from app.api.foreign_files import Readings, Uploads
+from app.api.live.camera_socket import ActiveCamera
 from app.api.live.driving_screen import DrivingScreen
 from app.api.live.live_picture import ClinicLive, LivePicture
 from app.api.live.message import LiveMessage
+from app.api.live.phone_socket import ActivePhones
 from app.api.live.screen_pictures import ScreenPictures
 from app.api.live.screens import Screens
 from app.api.package_download import ExportCourses
@@ -38,6 +40,7 @@ from app.session.control_link import ControlLink, LinkedProcess
 from app.session.equipment.chairs import Chairs
 from app.session.equipment.head import HeadChoice
 from app.session.equipment.limits import ClinicLimits
+from app.session.equipment.paired_phones import PairedPhones
 from app.session.equipment.shirt import Equipment
 from app.session.equipment.shirt_watch import ShirtWatch
 from app.session.fault_log import FaultLog
@@ -132,7 +135,7 @@ def _add_what_runs(parts: Parts, start_process: StartProcess) -> None:
     flows = (feature.flow for feature in features().values() if feature.flow is not None)
     others = [make(database, control, runs, notify, computing) for make in flows]
     makers = (feature.background for feature in features().values() if feature.background is not None)
-    background = [make(database, settings, notify) for make in makers]
+    background = [make(parts, notify) for make in makers]
     parts.add(FeatureParts, FeatureParts(others, background))
     for part in (*others, *background):
         parts.add(type(part), part)
@@ -159,6 +162,8 @@ def _add_pictures(parts: Parts) -> None:
     patient = parts.add(PatientPicture, PatientPicture(picture, equipment, runs, trials))
     patient_live = parts.add(PatientLive, PatientLive(patient.picture))
     parts.add(Graphics, Graphics(live, patient_live))
+    parts.add(ActiveCamera, ActiveCamera())
+    parts.add(ActivePhones, ActivePhones())
     screens = parts.add(Screens, Screens())
     pictures = parts.add(ScreenPictures, ScreenPictures(control, trials))
     driving = parts.add(DrivingScreen, DrivingScreen(control, trials, drives, screens, pictures))
@@ -195,7 +200,8 @@ def _add_sign_in(parts: Parts) -> None:
     parts.add(SignInLimits, SignInLimits())
     parts.add(SetUp, SetUp(settings.setup_code))
     parts.add(PairingCodes, PairingCodes())
-    parts.add(OpenSockets, OpenSockets(settings, parts[Database], busy=lambda: session.recording))
+    phones = parts.add(PairedPhones, PairedPhones())
+    parts.add(OpenSockets, OpenSockets(settings, parts[Database], phones, busy=lambda: session.recording))
 
 
 def _watching(parts: Parts) -> list[Background]:

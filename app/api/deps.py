@@ -34,6 +34,7 @@ from app.session.control_link import ControlLink
 from app.session.equipment.chairs import Chairs
 from app.session.equipment.head import HeadChoice
 from app.session.equipment.limits import ClinicLimits
+from app.session.equipment.paired_phones import PairedPhones
 from app.session.equipment.shirt import Equipment
 from app.session.fault_log import FaultLog
 from app.session.open_session import SessionFlow
@@ -86,6 +87,7 @@ ScreensPart = Annotated[Screens, Depends(part(Screens))]
 PicturesPart = Annotated[ScreenPictures, Depends(part(ScreenPictures))]
 DrivingScreenPart = Annotated[DrivingScreen, Depends(part(DrivingScreen))]
 PairingPart = Annotated[PairingCodes, Depends(part(PairingCodes))]
+PhonesPart = Annotated[PairedPhones, Depends(part(PairedPhones))]
 PatientPicturePart = Annotated[PatientPicture, Depends(part(PatientPicture))]
 PatientLivePart = Annotated[PatientLive, Depends(part(PatientLive))]
 GraphicsPart = Annotated[Graphics, Depends(part(Graphics))]

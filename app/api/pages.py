@@ -27,6 +27,7 @@ from starlette.types import ASGIApp, Receive, Scope, Send
 from starlette.websockets import WebSocketClose
 
 from app import __version__
+from app.api.response_headers import READER_POLICY
 from app.texts import ENGLISH, LANGUAGES, Text, current_language
 
 KINDS: Final = {
@@ -37,6 +38,14 @@ KINDS: Final = {
     ".svg": "image/svg+xml",
     ".webmanifest": "application/manifest+json",
 }
+LARGE: Final = {  # files of megabytes, which are read when they are asked for
+    ".binarypb": "application/octet-stream",
+    ".data": "application/octet-stream",
+    ".tflite": "application/octet-stream",
+    ".wasm": "application/wasm",
+}
+# What reads a camera's pictures, in a worker or in a frame of its own.
+PICTURE_READERS: Final = frozenset({"js/camera/pose_engine.js", "camera.html"})
 FIRST: Final = {"index.html": ["js/pages/drive/drive.js"]}  # modules that an entry imports as soon as it has started
 FOR_EVER: Final = "public, max-age=31536000, immutable"
 ASK_AGAIN: Final = "no-cache"  # a browser asks each time whether its copy is still good
@@ -122,6 +131,8 @@ class Pages:
         self._shared = PageFiles(
             {name: content for name, content in shared.items() if name != LANGUAGE_MODULE}, is_at_once=True
         )
+        large = (file for file in folder.rglob("*") if file.suffix in LARGE)
+        self._large = {file.relative_to(folder).as_posix(): file for file in large}
 
     async def __call__(self, scope: Scope, receive: Receive, send: Send) -> None:
         """Answer a request for a file."""
@@ -131,6 +142,9 @@ class Pages:
         if scope["method"] not in {"GET", "HEAD"}:
             raise HTTPException(405)
         address = _address(scope["path"])
+        if address.name in self._large:
+            await self._large_file(address)(scope, receive, send)
+            return
         language = address.language if address.language in self._of_language else current_language()
         files = self._files(address.name, language)
         if address.name not in files:
@@ -141,6 +155,8 @@ class Pages:
             "ETag": f'W/"{self.version}-{language}"',
             "Vary": "Accept-Encoding" if address.language == language else "Accept-Encoding, Accept-Language, Cookie",
         }
+        if address.name in PICTURE_READERS:
+            headers["Content-Security-Policy"] = READER_POLICY
         answer = _answer(await files.file(address.name), Headers(scope=scope), headers)
         await answer(scope, receive, send)
 
@@ -149,11 +165,17 @@ class Pages:
         if scope["type"] != "http" or scope["method"] != "GET":
             return False
         name, version, _ = _address(scope["path"])
-        return version is not None and name in self._files(name, ENGLISH)
+        return version is not None and (name in self._large or name in self._files(name, ENGLISH))
 
     def text(self, name: str, language: str = ENGLISH) -> str:
         """Return a file as it is sent."""
         return self._files(name, language).text(name)
+
+    def _large_file(self, address: "Address") -> FileResponse:
+        """Return the answer with a file of `LARGE`, which changes only together with the scripts that load it."""
+        file = self._large[address.name]
+        headers = {"Cache-Control": FOR_EVER if address.version == self.version else ASK_AGAIN}
+        return FileResponse(file, headers=headers, media_type=LARGE[file.suffix])
 
     def _files(self, name: str, language: str) -> PageFiles:
         of_language = self._of_language[language]

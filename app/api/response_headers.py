@@ -35,6 +35,17 @@ PAGE_POLICY: Final = "; ".join(
         "media-src 'self'",
     )
 )
+# What reads a camera's pictures: only there a page of ours may compile WebAssembly. It reaches no other machine.
+READER_POLICY: Final = "; ".join(
+    (
+        "default-src 'none'",
+        "script-src 'self' 'wasm-unsafe-eval'",
+        "connect-src 'self'",
+        "frame-ancestors 'self'",
+        "form-action 'none'",
+        "base-uri 'none'",
+    )
+)
 # The 3D view is viser's page: one file, with its scripts in it.
 VIEW_POLICY: Final = "; ".join(
     (

@@ -3,9 +3,9 @@
 import asyncio
 import logging
 from collections import defaultdict
-from collections.abc import AsyncIterator, Callable, Iterable
+from collections.abc import AsyncIterator, Callable, Iterable, Mapping
 from contextlib import asynccontextmanager, suppress
-from typing import NamedTuple, TypeVar
+from typing import Final, NamedTuple, TypeVar
 
 from fastapi import WebSocket, WebSocketDisconnect
 from starlette.requests import HTTPConnection
@@ -14,13 +14,16 @@ from app.api.origin import host_is_ours, origin_is_ours
 from app.api.sign_in.cookies import read_cookie
 from app.api.sign_in.identity import (
     COOKIE,
+    PHONE_COOKIE,
     SCREEN_COOKIE,
+    PairedPhone,
     PairedScreen,
     SignedInPerson,
     find_paired_screen,
     find_sign_in,
     find_viewer,
 )
+from app.session.equipment.paired_phones import PairedPhones
 from app.settings import Settings
 from app.store.database import Database
 
@@ -32,9 +35,11 @@ CUT_OFF = "cut off"  # in the state of a websocket's scope: a function that ends
 
 logger = logging.getLogger("bodydrive")
 
-Who = TypeVar("Who", bound=SignedInPerson | PairedScreen)
+Opener = SignedInPerson | PairedScreen | PairedPhone
+"""Who opens a websocket."""
+Who = TypeVar("Who")
 Find = Callable[[Database, HTTPConnection], Who | None]
-Sees = Callable[[SignedInPerson | PairedScreen], bool]
+Sees = Callable[[Opener], bool]
 """Returns whether somebody may see what a websocket shows, which may change while it is open."""
 Busy = Callable[[], bool]
 
@@ -49,17 +54,20 @@ def cut_off(websocket: WebSocket) -> None:
 class Guarded(NamedTuple):
     """Who opened a websocket, and whether they may see what it shows."""
 
-    viewer: SignedInPerson | PairedScreen
+    viewer: Opener
     sees: Sees
 
 
 class OpenSockets:
     """Admits and keeps the open websockets; every websocket route uses `admit` and `guarded`."""
 
-    def __init__(self, settings: Settings, database: Database, busy: Busy = lambda: False) -> None:
+    def __init__(
+        self, settings: Settings, database: Database, phones: PairedPhones, busy: Busy = lambda: False
+    ) -> None:
         """`busy` returns whether a chair is armed or something is recorded: then nobody here is idle."""
         self._settings = settings
         self._database = database
+        self._phones = phones
         self._busy = busy
         self._open: dict[WebSocket, Guarded] = {}
         self._watching: asyncio.Task[None] | None = None  # ends with the last websocket
@@ -75,6 +83,15 @@ class OpenSockets:
         """Return the patient's screen that opens a websocket; None when it was refused and closed."""
         return await self._admit(websocket, find_paired_screen)
 
+    async def admit_phone(self, websocket: WebSocket) -> PairedPhone | None:
+        """Return the phone, paired as a sensor, that opens a websocket; None when it was refused and closed."""
+        if host_is_ours(self._settings, websocket.headers) and origin_is_ours(websocket):
+            phone = self._phone(websocket)
+            if phone is not None:
+                return phone
+        await websocket.close(SIGNED_OUT)
+        return None
+
     async def admit_viewer(self, websocket: WebSocket) -> SignedInPerson | PairedScreen | None:
         """Return who opens a websocket that shows the patient's picture; None when it was refused and closed."""
         return await self._admit(websocket, find_viewer)
@@ -89,7 +106,7 @@ class OpenSockets:
 
     @asynccontextmanager
     async def guarded(
-        self, websocket: WebSocket, viewer: SignedInPerson | PairedScreen, sees: Sees = lambda _viewer: True
+        self, websocket: WebSocket, viewer: Opener, sees: Sees = lambda _viewer: True
     ) -> AsyncIterator[None]:
         """Close the accepted websocket within CHECK_EVERY of the end of the sign-in or pairing, however it ends.
 
@@ -119,7 +136,7 @@ class OpenSockets:
         of_cookie = defaultdict[tuple[type, str | None], list[WebSocket]](list)
         for websocket in websockets:
             kind = type(self._open[websocket].viewer)
-            cookie = read_cookie(websocket, SCREEN_COOKIE if kind is PairedScreen else COOKIE)
+            cookie = read_cookie(websocket, _COOKIES[kind])
             of_cookie[kind, cookie].append(websocket)
         ending: dict[WebSocket, int] = {}
         for (kind, _), those in of_cookie.items():
@@ -136,7 +153,13 @@ class OpenSockets:
                     ending[websocket] = NOT_VISIBLE
         await self._close(ending)
 
-    async def _find_again(self, kind: type, websocket: WebSocket) -> SignedInPerson | PairedScreen | None:
+    def _phone(self, connection: HTTPConnection) -> PairedPhone | None:
+        number = self._phones.number_of(read_cookie(connection, PHONE_COOKIE))
+        return None if number is None else PairedPhone(number)
+
+    async def _find_again(self, kind: type, websocket: WebSocket) -> Opener | None:
+        if kind is PairedPhone:
+            return self._phone(websocket)
         if kind is PairedScreen:
             return await asyncio.to_thread(find_paired_screen, self._database, websocket)
         return await asyncio.to_thread(find_sign_in, self._database, websocket, acts=self._busy())
@@ -156,6 +179,11 @@ class OpenSockets:
         person = self._person(websocket)
         return person is not None and person.drives
 
+    def may_be_sensor(self, websocket: WebSocket) -> bool:
+        """Return whether a page may be the patient's sensor: that of a person who drives, or the patient's screen."""
+        opened = self._open.get(websocket)
+        return self.may_drive(websocket) or (opened is not None and isinstance(opened.viewer, PairedScreen))
+
     async def acted(self, websocket: WebSocket) -> None:
         """Store that the person at the page of a websocket does something."""
         await asyncio.to_thread(find_sign_in, self._database, websocket, acts=True)
@@ -171,6 +199,16 @@ class OpenSockets:
     async def close_sign_in(self, sign_in_id: int) -> None:
         """Close every websocket of a sign-in that has ended."""
         await self._close(self._of(lambda person: person.sign_in_id == sign_in_id))
+
+    async def close_ended_phones(self) -> None:
+        """Close every websocket of a phone that was unpaired, or whose number another browser has now."""
+        await self._check(
+            [websocket for websocket, (viewer, _) in self._open.items() if isinstance(viewer, PairedPhone)]
+        )
+
+    def phones(self) -> set[int]:
+        """Return the numbers of the phones that are connected."""
+        return {viewer.number for viewer, _ in list(self._open.values()) if isinstance(viewer, PairedPhone)}
 
     async def close_ended_screens(self) -> None:
         """Close every websocket of a patient's screen that was unpaired or whose session has ended."""
@@ -199,12 +237,20 @@ class OpenSockets:
         """Close websockets, each with its code; a page that does not take it ends without it."""
         closing = []
         for websocket, code in codes.items():
-            closing.append(asyncio.create_task(_close(websocket, code)))
+            closing.append(asyncio.create_task(close_in_time(websocket, code)))
             await asyncio.sleep(0)  # a Stop waits for no more than one of them
         await asyncio.gather(*closing)
 
 
-async def _close(websocket: WebSocket, code: int) -> None:
+_COOKIES: Final[Mapping[type, str]] = {
+    SignedInPerson: COOKIE,
+    PairedScreen: SCREEN_COOKIE,
+    PairedPhone: PHONE_COOKIE,
+}
+
+
+async def close_in_time(websocket: WebSocket, code: int) -> None:
+    """Close a websocket with a code; the connection of a page that does not take it is cut off."""
     try:
         with suppress(RuntimeError, WebSocketDisconnect):  # it is closed already
             await asyncio.wait_for(websocket.close(code), CLOSE_LIMIT)

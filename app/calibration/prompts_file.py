@@ -4,7 +4,7 @@ from pathlib import Path
 
 from app.calibration.fit.repetitions import Prompt
 from app.layout import ShirtLayout
-from app.signals.columns import read_columns, require_column, row_place
+from app.signals.columns import read_table
 from app.texts import Text
 
 
@@ -18,13 +18,13 @@ def read_prompts(path: Path, layout: ShirtLayout, first: float, last: float) -> 
     ValueError
         One sentence that names the file and line, and what to do.
     """
-    table = read_columns(path, text=("joint",), only=("start", "end", "joint"))
-    starts, ends = require_column(table, path, "start"), require_column(table, path, "end")
-    if "joint" not in table:
+    table = read_table(path, text=("joint",), only=("start", "end", "joint"))
+    starts, ends = table.numbers("start"), table.numbers("end")
+    if "joint" not in table.columns:
         raise ValueError(Text("calibration-prompts-no-joint", file=str(path)))
     prompts = []
-    for row, (start, end, joint) in enumerate(zip(starts, ends, map(str, table["joint"]), strict=True)):
-        where = row_place(path, row)
+    for row, (start, end, joint) in enumerate(zip(starts, ends, map(str, table.columns["joint"]), strict=True)):
+        where = table.places.row(row)
         if joint not in layout.joint_names:
             names = ", ".join(layout.joint_names)
             raise ValueError(

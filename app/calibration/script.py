@@ -4,7 +4,7 @@ from dataclasses import dataclass
 from typing import Literal
 
 from app.cues import Cue
-from app.layout import Joint, ShirtLayout
+from app.layout import Joint, ShirtLayout, joint_title
 from app.texts import Text
 
 READY = 2.0  # s of countdown before each step
@@ -17,6 +17,7 @@ WAY_BACK = RETURN / MOVE  # duration of the way back over that of the movement, 
 PAUSE = 1.0  # s at rest between repetitions
 
 MOVED_PARTS = {"elbow", "shoulder", "wrist"}  # of the body, left or right, that have an instruction of their own
+MIDDLE_PARTS = {"head": Text("calibration-move-head"), "trunk": Text("calibration-move-trunk")}  # without a side
 
 
 @dataclass(frozen=True, slots=True)
@@ -42,7 +43,9 @@ def movement_instruction(joint: Joint) -> Text:
     side, _, part = joint.name.partition("_")
     if side in {"left", "right"} and part in MOVED_PARTS:
         return Text(f"calibration-move-{part}", side=side)
-    return Text("calibration-move", joint=joint.label)
+    if joint.name in MIDDLE_PARTS:
+        return MIDDLE_PARTS[joint.name]
+    return Text("calibration-move", joint=joint_title(joint))
 
 
 def _rest() -> Step:

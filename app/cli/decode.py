@@ -11,7 +11,15 @@ from app.cli.common_options import AsJson
 from app.cli.errors import InputError
 from app.cli.help_text import help_text
 from app.cli.output import dialect_summary, print_dialect, warn, write_output
-from app.texts import Figure, Text, text_of
+from app.cli.signal_options import (
+    ChannelNames,
+    SampleRate,
+    TimeName,
+    TimeUnit,
+    reading_options,
+    signals_refused,
+)
+from app.texts import Figure, Text
 
 if TYPE_CHECKING:
     import numpy as np
@@ -19,7 +27,7 @@ if TYPE_CHECKING:
 
     from app.calibration.vocabulary import DriveParameters
     from app.pipeline.replay.batch import DecodedRun
-    from app.signals.signals import Signals
+    from app.signals.signals import ReadingOptions, Signals
     from app.source import Source
 
 SUFFIXES = (".parquet", ".csv")
@@ -31,6 +39,11 @@ def decode(
     out: Annotated[Path, typer.Option(help=help_text("cli-help-decode-out"))],
     dead_zone: Annotated[float | None, typer.Option(help=help_text("cli-help-decode-dead-zone"))] = None,
     cutoff: Annotated[float | None, typer.Option(help=help_text("cli-help-decode-cutoff"))] = None,
+    *,
+    time: TimeName = None,
+    unit: TimeUnit = None,
+    rate: SampleRate = None,
+    channels: ChannelNames = None,
     as_json: AsJson = False,
 ) -> None:
     """Decode a file of signals with the very chain of the live loop."""
@@ -39,10 +52,11 @@ def decode(
     if out.suffix not in SUFFIXES:
         raise InputError(Text("cli-decode-suffix", file=str(out)))
     parameters = with_overrides(read_parameters(profile), dead_zone, cutoff)
+    options = reading_options(time, unit, rate, channels)
     try:
-        recorded, decoded = _decode_file(signals, parameters)
+        recorded, decoded = _decode_file(signals, parameters, options)
     except ValueError as error:
-        raise InputError(text_of(error)) from error
+        raise signals_refused(error) from error
     t, source = recorded.t, _source_of(signals)
     write_output(out, _content_of(out, _columns(parameters, t, decoded), source), signals, profile)
     seconds = float(t[-1] - t[0])
@@ -61,7 +75,9 @@ def decode(
         typer.echo(Text("cli-source", source=source_description(source)))
 
 
-def _decode_file(signals: Path, parameters: "DriveParameters") -> "tuple[Signals, DecodedRun]":
+def _decode_file(
+    signals: Path, parameters: "DriveParameters", options: "ReadingOptions"
+) -> "tuple[Signals, DecodedRun]":
     """Return the signals and the decoded run; a recording is decoded at the times of its ticks."""
     import numpy as np
 
@@ -70,7 +86,7 @@ def _decode_file(signals: Path, parameters: "DriveParameters") -> "tuple[Signals
     from app.recording.reader import read_run
     from app.signals.signals import read_signals
 
-    recorded = read_signals(signals, parameters.profile.layout)
+    recorded = read_signals(signals, parameters.profile.layout, options)
     warn(recorded.damage)
     if signals.is_dir():
         run = read_run(signals)

@@ -22,6 +22,7 @@ _COMMANDS: dict[str, tuple[str, ...]] = {
     "calibrate": ("app.cli.calibration.calibrate", "calibrate", "cli-help-calibrate"),
     "prior": ("app.cli.calibration.prior_command", "prior_app", "cli-help-prior"),
     "decode": ("app.cli.decode", "decode", "cli-help-decode"),
+    "signals": ("app.cli.signal_files", "signals_app", "cli-help-signals-command"),
     "score": ("app.cli.score", "score", "cli-help-score", "cli-help-score-following"),
     "study": ("app.cli.study.study_command", "study", "cli-help-study"),
     "replay": ("app.cli.replay", "replay", "cli-help-replay"),

@@ -50,7 +50,9 @@ def check_new_folder(folder: Path) -> None:
 
 def dialect_summary(recorded: "Signals") -> dict[str, dict[str, str]]:
     """Return the dialect of a CSV file for `--json`; empty for other files."""
-    return {} if recorded.dialect is None else {"dialect": recorded.dialect._asdict()}
+    if recorded.dialect is None:
+        return {}
+    return {"dialect": {"separator": recorded.dialect.separator, "decimal": recorded.dialect.decimal}}
 
 
 def print_dialect(recorded: "Signals", file: Path) -> None:

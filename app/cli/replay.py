@@ -13,9 +13,17 @@ from app.cli.common_options import AsJson
 from app.cli.errors import InputError
 from app.cli.help_text import help_text
 from app.cli.output import warn
+from app.cli.signal_options import (
+    ChannelNames,
+    SampleRate,
+    TimeName,
+    TimeUnit,
+    reading_options,
+    signals_refused,
+)
 from app.clock import Clock, MonotonicClock
 from app.hardware.shirt.sender import STANDARD_ADDRESS
-from app.texts import Figure, Text, text_of
+from app.texts import Figure, Text
 
 if TYPE_CHECKING:
     from app.hardware.shirt.playback import FrameFile
@@ -28,6 +36,11 @@ def replay(
     to: Annotated[str, typer.Option(help=help_text("cli-help-replay-to"))] = STANDARD_ADDRESS,
     loop: Annotated[bool, typer.Option("--loop", help=help_text("cli-help-replay-loop"))] = False,
     speed: Annotated[float, typer.Option(help=help_text("cli-help-replay-speed"))] = 1.0,
+    *,
+    time: TimeName = None,
+    unit: TimeUnit = None,
+    rate: SampleRate = None,
+    channels: ChannelNames = None,
     as_json: AsJson = False,
 ) -> None:
     """Play a recorded run as a shirt source: its frames as datagrams, at their own times. Ctrl-C ends it."""
@@ -37,10 +50,11 @@ def replay(
     if not SLOWEST <= speed <= FASTEST:
         raise InputError(Text("cli-replay-speed", speed=f"{speed:g}", least=f"{SLOWEST:g}", most=f"{FASTEST:g}"))
     family, address = parse_address(to)
+    options = reading_options(time, unit, rate, channels)
     try:
-        file = read_frames(recording)
+        file = read_frames(recording, options)
     except HardwareError as error:
-        raise InputError(text_of(error)) from error
+        raise signals_refused(error) from error
     warn(file.note)
     if not as_json:
         begins = Text(

@@ -44,6 +44,7 @@ KeyFile = Annotated[Path | None, typer.Option("--key", help=help_text("cli-help-
 Plans = Annotated[list[Path] | None, typer.Option("--floorplan", help=help_text("cli-help-demo-floorplan"))]
 Proxy = Annotated[str | None, typer.Option("--behind-proxy", help=help_text("cli-help-serve-behind-proxy"))]
 Name = Annotated[str | None, typer.Option(help=help_text("cli-help-serve-name"))]
+Lsl = Annotated[bool, typer.Option("--lsl", help=help_text("cli-help-serve-lsl"))]
 PATIENT = ("DEMO-1", "Kingfisher")
 NEWCOMER = ("DEMO-2", "Heron")
 
@@ -74,6 +75,8 @@ def serve(
     key: KeyFile = None,
     behind_proxy: Proxy = None,
     name: Name = None,
+    *,
+    lsl: Lsl = False,
 ) -> None:
     """Open a clinic; its database and recordings are kept."""
     from app.api.sign_in.set_up import VALID_FOR
@@ -84,6 +87,8 @@ def serve(
         raise InputError(Text("cli-proxy-needs-name"))
     if behind_proxy is not None and lan:
         raise InputError(Text("cli-proxy-or-lan"))
+    if lsl:
+        _load_lsl()
     proxy = None if behind_proxy is None else proxy_network(behind_proxy)
     reached_by = "" if name is None else public_name(name)
     folder = folder_of(state)
@@ -112,6 +117,7 @@ def serve(
             proxy=proxy,
             public_name=reached_by,
             network=None if other_machines is None else other_machines.service,
+            lsl=lsl,
         )
         opened = f"https://{reached_by}/" if reached_by else local_address
         write_address(opened if other_machines is None else other_machines.service.link())
@@ -124,6 +130,19 @@ def serve(
         lines += [] if other_machines is None else other_machines.refresh()
         _run(settings, launch, listening, lines, other_machines)
     _leave()
+
+
+def _load_lsl() -> None:
+    """Load what `--lsl` needs: nothing may be loaded later, while a chair may move."""
+    from app.features import names
+    from app.lsl_library import LSL_MISSING, load_lsl
+
+    try:
+        if "lsl" not in names():
+            raise ImportError
+        load_lsl()
+    except LSL_MISSING as error:
+        raise InputError(Text("shirtdev-lsl-no-library")) from error
 
 
 def _launch() -> "Launch":

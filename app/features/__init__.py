@@ -18,6 +18,8 @@ NEEDS: Final[Mapping[str, tuple[str, ...]]] = {
     "backup": (),
     "log": (),
     "prior": (),
+    "lsl": (),
+    "layouts": (),
 }
 """Each feature with those whose service it imports: without them it is left out, too."""
 

@@ -34,7 +34,7 @@ if TYPE_CHECKING:
     from app.store.database import Database
 
     MakeFlow = Callable[[Database, ControlLink, SessionRuns, Notify, ComputingProcess], RunFlow[Any]]
-    MakeBackground = Callable[[Database, Settings, Notify], "Background"]
+    MakeBackground = Callable[[Parts, Notify], "Background"]
 
     MakeReport = Callable[[], bytes]
     ReportOf = Callable[[Database, Settings, int, SpreadsOf], MakeReport | None]
@@ -175,7 +175,8 @@ class Feature:
     flow: "MakeFlow | None" = None
     """Returns what starts runs of its own in a session and follows them, beside trials and drives."""
     background: "MakeBackground | None" = None
-    """Returns what runs as long as the web process, which gives it what tells the pages that something changed."""
+    """Returns what runs as long as the web process, which gives it its parts (some are added later, before anything
+    starts), and what tells the pages that something changed."""
     add_parts: "Callable[[Parts], None]" = _no_parts
     """Adds its own long-lived parts to those of the web process."""
 

@@ -28,6 +28,13 @@ def checked_line(text: str) -> str:
     return text
 
 
+def checked_cable(line: str) -> str:
+    """Return the valid name of a serial line that is a cable; ValueError for one over Bluetooth."""
+    if line.startswith("/dev/rfcomm") or "bluetooth" in line.lower():
+        raise ValueError(Text("device-no-cable", given=_quoted(line)))
+    return line
+
+
 def _is_host(text: str) -> bool:
     try:
         if ":" in text:
@@ -49,3 +56,5 @@ def _quoted(text: str) -> str:
 Host = Annotated[str, Field(min_length=1, max_length=253), AfterValidator(checked_host)]
 FilePlace = Annotated[Line, Field(min_length=1, max_length=4096)]
 SerialLine = Annotated[str, Field(min_length=1, max_length=255), AfterValidator(checked_line)]
+Cable = Annotated[SerialLine, AfterValidator(checked_cable)]
+"""A serial line that is no radio link by its name; `app.hardware.cables` says whether it is a cable (safety S29)."""

@@ -7,6 +7,7 @@ from typing import Protocol, runtime_checkable
 import numpy as np
 from numpy.typing import NDArray
 
+from app.arrivals import Arrivals
 from app.cues import Cue
 from app.faults import State
 from app.geometry import Pose, Twist
@@ -19,10 +20,17 @@ from app.texts import Text
 from app.world.floorplan import FloorPlan, PrescribedPath
 
 ORIGIN = Pose(0.0, 0.0, 0.0)
+LONGEST_MESSAGE = 120  # characters of a library's message, in a sentence
 
 
 class HardwareError(Exception):
     """Why a device cannot be used: a text of one sentence that names the device, the place and the remedy."""
+
+
+def library_message(error: Exception) -> str:
+    """Return what the library of a device says of an error: printable, in one short line, never empty."""
+    message = "".join(letter if letter.isprintable() else " " for letter in str(error))
+    return " ".join(message.split())[:LONGEST_MESSAGE].strip() or type(error).__name__
 
 
 @dataclass(slots=True)
@@ -149,6 +157,37 @@ class NetworkShirt(Protocol):
 
     def lost_key(self) -> Text | None:
         """Return why the shirt's key counts no longer, None while it does or there is no key."""
+        ...
+
+
+@runtime_checkable
+class SearchingShirt(Protocol):
+    """A shirt that finds sensors by itself; a person then says where on the body they are."""
+
+    @property
+    def found(self) -> list[str]:
+        """The names of the sensors that send and are on no part of the body."""
+        ...
+
+
+@runtime_checkable
+class ReportingShirt(Protocol):
+    """A shirt that says what arrives at it, and why nothing does."""
+
+    def arrivals(self) -> Arrivals:
+        """Return what arrives now; asked twice a second on the loop, so that it never waits."""
+        ...
+
+
+@runtime_checkable
+class PageShirt(Protocol):
+    """A shirt whose samples a page sends, by the web process."""
+
+    def add_sample(self, page: int, message: bytes, received: float) -> None:
+        """Take the message of a page that came at `received` (monotonic s); one that is no sample changes nothing.
+
+        `page` is the number of the page that is the sensor now, another number another page; of phones, their number.
+        """
         ...
 
 

@@ -8,21 +8,30 @@ from typing import TYPE_CHECKING, Annotated, Any, Literal
 from pydantic import Field
 
 from app.hardware.addresses import FilePlace, Host, SerialLine
-from app.hardware.shirt import replay, simulator, udp
+from app.hardware.shirt import brainflow_board, camera, lsl, replay, serial_line, simulator, udp
 from app.hardware.shirt.kind import ShirtConfig, ShirtKind
+from app.hardware.shirt.orientation_sensors import bluetooth, phones, slimevr
 from app.ports import FREEPIE_PORT, OPENTRACK_PORT, RECEIVER_PORT
 from app.quantities import Count, Document, Port, Title
 from app.speed_limits import Speeds
 
 KINDS: tuple[ShirtKind[Any], ...] = (
     simulator.KIND,
-    replay.KIND,
+    camera.KIND,
+    phones.KIND,
+    slimevr.KIND,
+    bluetooth.KIND,
+    serial_line.KIND,
+    brainflow_board.KIND,
+    lsl.KIND,
     udp.KIND,
+    replay.KIND,
 )
 SHIRTS: Mapping[str, ShirtKind[Any]] = {kind.name: kind for kind in KINDS}
 """Every kind of shirt by its name."""
 
 ReceiverPort = Annotated[Port, Field(gt=0)]
+MOST_PHONES = phones.MOST_PHONES
 
 
 class PersonConfig(Document):

@@ -7,8 +7,9 @@ from pydantic import Field, model_validator
 from app.calibration.vocabulary import DriveParameters
 from app.cues import Cue
 from app.json_values import JsonDocument
+from app.messages import LONGEST_SAMPLE
 from app.pipeline.open_run import RunKind
-from app.quantities import Count, Document, Fraction, Name, Radians, Seconds
+from app.quantities import Count, Document, Finite, Fraction, Name, Radians, Seconds
 from app.speed_limits import Speeds
 from app.world.cursor_task import CursorPlan
 from app.world.floorplan import FloorPlan
@@ -47,6 +48,14 @@ class Look(Document):
     yaw: Radians
     pitch: Radians
     roll: Radians
+
+
+class Sample(Document):
+    """What the page that is the sensor has sent: the number of that page, its message, and when it came."""
+
+    page: Count
+    message: Annotated[str, Field(max_length=2 * LONGEST_SAMPLE, pattern=r"^([0-9a-f]{2})*$")]  # hex
+    received: Finite  # monotonic s
 
 
 class Sender(Document):

@@ -57,6 +57,7 @@ class Commands:
             "heartbeat": Command(command_fields.Heartbeat, self._heartbeat),
             "shirt": Command(command_fields.Device, self._shirt),
             "sender": Command(command_fields.Sender, self._sender),
+            "sample": Command(command_fields.Sample, self._sample),
             "body": Command(command_fields.Device, self._body),
             "move": Command(command_fields.Move, self._move),
             "head": Command(command_fields.HeadDevice, self._head),
@@ -137,6 +138,13 @@ class Commands:
         shirt = self._setup.network_shirt
         if shirt is None or not shirt.use_sender(fields.sender):
             raise CommandRefused(Text("drives-wrong-sender"))
+        return {}
+
+    def _sample(self, fields: command_fields.Sample, _id: int) -> Answer:
+        shirt = self._setup.page_shirt
+        if shirt is None:
+            raise CommandRefused(Text("drives-no-camera"))
+        shirt.add_sample(fields.page, bytes.fromhex(fields.message), fields.received)
         return {}
 
     def _body(self, fields: command_fields.Device, command_id: int) -> None:
@@ -334,6 +342,7 @@ def device_refusal(loop: ControlLoop) -> Text | None:
 def status(loop: ControlLoop) -> JsonDocument:
     """Return the state of shirt, chair and head tracker, in words and numbers."""
     setup = loop.setup
+    arrivals = setup.arrivals
     return {
         "shirt": {
             "kind": setup.shirt_kind,
@@ -343,6 +352,8 @@ def status(loop: ControlLoop) -> JsonDocument:
             "sample_rate": setup.sample_rate if setup.shirt else 0.0,
             "lost": setup.shirt.lost if setup.shirt else 0,
             "senders": _senders(setup.network_shirt),
+            "found": setup.found_sensors,
+            "arrivals": None if arrivals is None else arrivals._asdict(),
         },
         "chair": {
             "kind": setup.chair_kind,

@@ -23,7 +23,8 @@ def periods_between(time_step: float, sample_rate: float) -> float:
     periods = time_step * sample_rate
     if periods < 1.5:
         return 1.0  # the usual case, in the shortest way
-    return min(float(round(periods)), max(1.0, LONGEST_GAP * sample_rate))
+    longest = max(1.0, LONGEST_GAP * sample_rate)
+    return longest if periods > longest + 1.0 else min(float(round(periods)), longest)
 
 
 class Decoder:

@@ -3,11 +3,25 @@
 import math
 from typing import Protocol, cast
 
+from app.arrivals import Arrivals
 from app.calibration.vocabulary import DriveParameters
 from app.clock import Clock
 from app.faults import State
 from app.geometry import STANDSTILL, wrap_angle
-from app.hardware.base import ORIGIN, Body, BodyView, Chair, DrivingBody, HeadTracker, LinkedChair, NetworkShirt, Shirt
+from app.hardware.base import (
+    ORIGIN,
+    Body,
+    BodyView,
+    Chair,
+    DrivingBody,
+    HeadTracker,
+    LinkedChair,
+    NetworkShirt,
+    PageShirt,
+    ReportingShirt,
+    SearchingShirt,
+    Shirt,
+)
 from app.hardware.chair.packet import DIGEST_BYTES
 from app.hardware.chair.simulator import Dynamics, VirtualChair
 from app.hardware.configs import SHIRTS, BodyConfig, ChairConfig, HeadConfig, RealChairConfig
@@ -155,6 +169,21 @@ class Setup:
     def network_shirt(self) -> NetworkShirt | None:
         """The shirt in use when it is a shirt over the network, else None."""
         return self.shirt if isinstance(self.shirt, NetworkShirt) else None
+
+    @property
+    def found_sensors(self) -> list[str]:
+        """The names of the sensors that the shirt has found, and that nobody has placed on the body."""
+        return self.shirt.found if isinstance(self.shirt, SearchingShirt) else []
+
+    @property
+    def arrivals(self) -> Arrivals | None:
+        """What arrives at the shirt in use; None without one, or when it does not say."""
+        return self.shirt.arrivals() if isinstance(self.shirt, ReportingShirt) else None
+
+    @property
+    def page_shirt(self) -> PageShirt | None:
+        """The shirt in use when a page sends its samples, else None."""
+        return self.shirt if isinstance(self.shirt, PageShirt) else None
 
     @property
     def shirt_description(self) -> Text:
@@ -326,7 +355,8 @@ class Setup:
         """Return in a sentence why parameters cannot decode the frames of the shirt; None when they can."""
         if self.shirt is None:
             return None
-        if self.shirt.layout.channel_names != parameters.profile.layout.channel_names:
+        shirt, calibrated = self.shirt.layout, parameters.profile.layout
+        if shirt.channel_names != calibrated.channel_names or shirt.may_stay_constant != calibrated.may_stay_constant:
             return Text("drives-other-sensors")
         cutoff, rate = parameters.cutoff, self.sample_rate
         if rate <= 2.0 * cutoff:  # no filter has a cutoff above half the sample rate

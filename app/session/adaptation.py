@@ -221,7 +221,7 @@ class AdaptationFlow:
 
     def _propose(self, patient_id: int, session_id: int) -> None:
         with self._database.reading() as db:
-            material = material_for(db, patient_id, session_id, simulated=self._session.simulated)
+            material = material_for(db, patient_id, session_id, self._session.group)
         folders = [self._runs.folder_of(run_id) for run_id in material.run_ids]
         self._newest, result = None, None
         if material.fresh:

@@ -212,6 +212,11 @@ class ControlLink:
         if self._thread is not None:
             self._thread.soon(lambda: self._send("look", yaw=yaw, pitch=pitch, roll=roll))
 
+    def add_sample(self, page: int, message: bytes, received: float) -> None:
+        """Pass on what the page that is the shirt's sensor sent; it came at `received` (monotonic s)."""
+        if self._thread is not None:
+            self._thread.soon(lambda: self._send("sample", page=page, message=message.hex(), received=received))
+
     def follow_screen(self, sign: Callable[[], ScreenSign]) -> None:
         """Take the last report of the screen that drives from `sign`, which is called from any thread."""
         self._screen_sign = sign
@@ -240,6 +245,20 @@ class ControlLink:
         """Return the ticks after `number`, None when there is no control process."""
         with self._reading:
             return self._process.since(number) if self._process is not None and self.state == "alive" else None
+
+    def newest_frames(self, channels: int, sample_rate: float, seconds: float) -> NDArray[np.float64]:
+        """Return the shirt's frames (n, channels) of the last `seconds`, as many as the ring of ticks still holds.
+
+        `sample_rate` (Hz) is the shirt's. Without a control process n is 0. May be called from any thread.
+        """
+        newest = self.newest()
+        ticks = None
+        if newest is not None:
+            ticks = self.since(max(0, int(newest["number"]) - int(2 * seconds * max(sample_rate, 1.0))))
+        if newest is None or ticks is None:
+            return np.empty((0, channels))
+        recent = ticks[(ticks["has_frame"] == 1) & (ticks["t"] > float(newest["t"]) - seconds)]
+        return np.asarray(recent["values"][:, :channels], dtype=np.float64)
 
     async def _release(self, thread: LoopThread) -> None:
         with self._reading:

@@ -16,7 +16,9 @@ from app.session.page_session import require_page_session
 from app.session.real_drive import RealDriveFlow
 from app.session.run_flow import RunFlow
 from app.session.trial import TrialFlow
+from app.source import SourceGroup
 from app.store.database import Database
+from app.store.map_versions import source_of_map
 from app.store.parameters import as_document, current_parameters, newest_profile
 from app.store.patients import open_session
 from app.store.tables import PatientSession
@@ -31,6 +33,11 @@ class DriveObstacle(NamedTuple):
 
     sentence: Text | str
     page: Literal["shirt", "calibrate", "controls"]
+
+
+def _may_drive(calibrated: SourceGroup, in_use: SourceGroup) -> bool:
+    """Return whether a shirt of one group may drive by a calibration of another: only for practice."""
+    return in_use == "simulated" or calibrated in {in_use, "unknown"}
 
 
 class SessionFlow:
@@ -88,9 +95,9 @@ class SessionFlow:
         return self.driving or self._calibration.running or any(flow.running for flow in self._others)
 
     @property
-    def simulated(self) -> bool | None:
-        """Whether nobody wears the shirt in use, None while there is none; may be read from any thread."""
-        return self._equipment.simulated
+    def group(self) -> SourceGroup:
+        """The group of sources that the shirt in use belongs to; may be read from any thread."""
+        return self._equipment.group
 
     def refuse_while_busy(self) -> None:
         """Raise Conflict during a step, a trial or a drive."""
@@ -133,11 +140,11 @@ class SessionFlow:
         if current is None:
             await self._control.load("parameters", parameters=None)
             return None
-        document, simulated = current
-        fitting = document if self._misfit(document, simulated=simulated) is None else None
+        document, group = current
+        fitting = document if self._misfit(document, group) is None else None
         await self._control.load("parameters", parameters=fitting and fitting.model_dump(mode="json"))
         self.loaded = fitting
-        obstacle = self.obstacle(document, simulated=simulated)
+        obstacle = self.obstacle(document, group)
         return None if obstacle is None else obstacle.sentence
 
     def current_obstacle(self) -> DriveObstacle | None:
@@ -146,26 +153,27 @@ class SessionFlow:
         None also for a patient without a calibration. Reads the database: call it in a thread.
         """
         current = self._current()
-        return None if current is None else self.obstacle(current[0], simulated=current[1])
+        return None if current is None else self.obstacle(*current)
 
-    def obstacle(self, parameters: DriveParameters, *, simulated: bool | None) -> DriveObstacle | None:
+    def obstacle(self, parameters: DriveParameters, group: SourceGroup) -> DriveObstacle | None:
         """Return why parameters cannot drive: a silent shirt, another shirt, or no way to stop; None when they can.
 
-        `simulated` says whether nobody wore the shirt in which they were calibrated, None where that is unknown.
+        `group` is that of the recordings which they were calibrated with.
         """
         if self._equipment.silent:
             return DriveObstacle(SILENT, "shirt")
-        misfit = self._misfit(parameters, simulated=simulated)
+        misfit = self._misfit(parameters, group)
         brake = missing_brake(parameters) if misfit is None else None
         return DriveObstacle(brake, "controls") if brake else misfit
 
-    def _misfit(self, parameters: DriveParameters, *, simulated: bool | None) -> DriveObstacle | None:
+    def _misfit(self, parameters: DriveParameters, group: SourceGroup) -> DriveObstacle | None:
         layout = self._equipment.layout
         if layout is None:
             return DriveObstacle(self._equipment.failure or NO_SHIRT, "shirt")
-        if simulated and not self._equipment.simulated:
+        in_use = self._equipment.group
+        if group == "simulated" != in_use:
             reason = Text("visit-calibrated-unworn")
-        elif layout.channel_names != parameters.profile.layout.channel_names:
+        elif layout.channel_names != parameters.profile.layout.channel_names or not _may_drive(group, in_use):
             reason = Text("visit-calibrated-in-another")
         elif abs(self._equipment.sample_rate - parameters.profile.sample_rate) > 0.01 * parameters.profile.sample_rate:
             reason = Text("visit-calibrated-at-another-rate")
@@ -183,10 +191,10 @@ class SessionFlow:
             session = open_session(db)
             return (None, None) if session is None else (session.id, session.patient_id)
 
-    def _current(self) -> tuple[DriveParameters, bool | None] | None:
+    def _current(self) -> tuple[DriveParameters, SourceGroup] | None:
         with self._database.reading() as db:
             session = open_session(db)
             if session is None or newest_profile(db, session.patient_id) is None:
                 return None
             row, profile = current_parameters(db, session.patient_id)
-            return as_document(row, profile), profile.simulated
+            return as_document(row, profile), source_of_map(db, profile)

@@ -15,8 +15,10 @@ from app.session.equipment.limits import ClinicLimits
 from app.session.equipment.shirt import Equipment
 from app.session.open_session import SessionFlow
 from app.session.parameter_differences import Difference, differences
+from app.source import SourceGroup
 from app.speed_limits import HIGHEST_SPEEDS, Speeds, apply_dial, most_restrictive
 from app.store.database import Database
+from app.store.map_versions import source_of_map
 from app.store.parameters import as_document, current_parameters, newest_profile
 from app.store.patients import open_session
 from app.store.practice import NO_PRACTICE, Practice, PracticeHistory
@@ -49,7 +51,7 @@ class _StoredSet:
     session: PatientSession | None = None
     parameters_id: int | None = None
     parameters: DriveParameters | None = None
-    simulated: bool | None = None  # whether nobody wore the shirt in which they were calibrated
+    calibrated: SourceGroup = "unknown"  # the group of the recordings that they were calibrated with
     practice: Practice = NO_PRACTICE
     last_practised: DriveParameters | None = None
 
@@ -109,7 +111,7 @@ class RealArming:
         if stored.parameters is None:
             return [Text("visit-not-calibrated")]
         refusals: list[Text | str] = []
-        obstacle = self._session.obstacle(stored.parameters, simulated=stored.simulated)
+        obstacle = self._session.obstacle(stored.parameters, stored.calibrated)
         if obstacle is not None:
             refusals.append(obstacle.sentence)
         if self._equipment.mistrust:
@@ -146,7 +148,7 @@ class RealArming:
         return fault_sentence(int(tick["chair_fault"])) if int(tick["chair_state"]) == CHAIR_FAULT else None
 
     def _read(self) -> _StoredSet:
-        simulated = self._equipment.simulated
+        group = self._equipment.group
         with self._database.reading() as db:
             session = open_session(db)
             if session is None or newest_profile(db, session.patient_id) is None:
@@ -157,7 +159,7 @@ class RealArming:
                 session,
                 row.id,
                 parameters,
-                profile.simulated,
-                self._practice.practice(db, session.patient_id, parameters.hash, simulated=simulated),
-                self._practice.newest(db, session.patient_id, simulated=simulated),
+                source_of_map(db, profile),
+                self._practice.practice(db, session.patient_id, parameters.hash, group),
+                self._practice.newest(db, session.patient_id, group),
             )

@@ -6,14 +6,13 @@ and the mean includes pauses. The period is what several samples together take, 
 samples to the first row of the next.
 """
 
-from pathlib import Path
 from typing import Final, NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
 
 from app.recording.reader import both
-from app.signals.columns import row_place
+from app.signals.row_places import RowPlaces
 from app.texts import Figure, Text, Value
 
 SLOWEST: Final = 10.0  # Hz; a slower sample rate does not suffice for a low-pass of 3 Hz
@@ -49,6 +48,21 @@ SHORT, BRIEF = (
 USUAL_RATES: Final = (10.0, 12.5, 15.0, 16.0, 20.0, 24.0, 25.0, 30.0, 32.0, 40.0, 50.0, 60.0, 64.0, 75.0, 80.0)  # Hz
 
 
+class TimeSource(NamedTuple):
+    """Where times come from: the rows of a file, and the name of their column."""
+
+    places: RowPlaces
+    column: str = "t"
+
+    def file_text(self, message: str, /, **values: Value) -> Text:
+        """Return a sentence about the column of the file."""
+        return Text(message, file=self.places.file, column=self.column, **values)
+
+    def row_text(self, message: str, row: int, /, **values: Value) -> Text:
+        """Return a sentence about a row of the column (from 0)."""
+        return Text(message, place=self.places.row(row), column=self.column, **values)
+
+
 class SamplingTimes(NamedTuple):
     """Times of samples, strictly rising."""
 
@@ -57,37 +71,46 @@ class SamplingTimes(NamedTuple):
     note: Text | None  # what was changed, or is missing
 
 
-def sampling_times(written: NDArray[np.float64], path: Path) -> SamplingTimes:
-    """Return the times and the sample rate of the column `t`.
+def sampling_times(
+    written: NDArray[np.float64], places: RowPlaces, column: str = "t", is_unit_stated: bool = False
+) -> SamplingTimes:
+    """Return the times and the sample rate of a column of times.
 
     Parameters
     ----------
     written : ndarray, shape (n,)
-        The column as the file has it: finite numbers, n >= 2.
-    path : Path
-        The file, for the sentence of a refusal.
+        The column, in s: finite numbers, n >= 2.
+    places : RowPlaces
+        Where the rows stand, for the sentence of a refusal.
+    column : str
+        The name of the column, for the sentence.
+    is_unit_stated : bool
+        Whether the file, or a person, says the unit: then a short and fast recording is not taken for minutes.
 
     Raises
     ------
     ValueError
         One sentence for times that run backwards, are in another unit than seconds, jump, or have no even rate.
     """
-    t, period, note = _even_times(written, path)
-    _refuse_units(t, period, path)
+    source = TimeSource(places, column)
+    t, period, note = _even_times(written, source)
+    _refuse_units(t, period, source)
+    if not is_unit_stated:
+        _refuse_minutes(t, period, source)
     if note is None:
-        t, period, note = _without_clock_steps(t, period, path)
-    return SamplingTimes(t, round(1.0 / period, 6), both(note, _gap_note(t, period, path)))
+        t, period, note = _without_clock_steps(t, period, source)
+    return SamplingTimes(t, round(1.0 / period, 6), both(note, _gap_note(t, period, source)))
 
 
-def _even_times(written: NDArray[np.float64], path: Path) -> tuple[NDArray[np.float64], float, Text | None]:
+def _even_times(written: NDArray[np.float64], source: TimeSource) -> tuple[NDArray[np.float64], float, Text | None]:
     """Return strictly rising times, the period, and what was done about samples that share a time or come in bursts."""
     if np.abs(written).max() > LARGEST_TIME:
         first, last = _rounded(written[0]), _rounded(written[-1])
-        raise ValueError(Text("signals-time-large", file=str(path), first=first, last=last))
-    refuse_falling_times(written, path)
+        raise ValueError(source.file_text("signals-time-large", first=first, last=last))
+    refuse_falling_times(written, source)
     steps = np.diff(written)
     if written[-1] - written[0] < SHORTEST_SPAN:
-        raise ValueError(Text("signals-time-constant", file=str(path), time=_rounded(written[0])))
+        raise ValueError(source.file_text("signals-time-constant", time=_rounded(written[0])))
     shared = int((steps == 0.0).sum())
     starts = np.flatnonzero(np.concatenate(([True], steps > 0))) if shared else _bursts(steps)
     if starts is None:
@@ -97,8 +120,8 @@ def _even_times(written: NDArray[np.float64], path: Path) -> tuple[NDArray[np.fl
         even = strictly_rising(written), _period(steps[steps > 0])
     if even is None:
         if shared:
-            raise ValueError(Text("signals-shared-uneven", file=str(path), shared=shared, count=len(written)))
-        raise ValueError(Text("signals-bursts-uneven", file=str(path)))
+            raise ValueError(source.file_text("signals-shared-uneven", shared=shared, count=len(written)))
+        raise ValueError(source.file_text("signals-bursts-uneven"))
     t, period = even
     rate = _rounded(1.0 / period)
     if shared:
@@ -106,13 +129,13 @@ def _even_times(written: NDArray[np.float64], path: Path) -> tuple[NDArray[np.fl
     return t, period, Text("signals-bursts-spread", rate=rate)
 
 
-def refuse_falling_times(t: NDArray[np.float64], path: Path) -> None:
-    """Raise ValueError with the first row at which `t` (n,) is smaller than before."""
+def refuse_falling_times(t: NDArray[np.float64], source: TimeSource) -> None:
+    """Raise ValueError with the first row at which times (n,) are smaller than before."""
     falls = np.flatnonzero(np.diff(t) < 0)
     if len(falls):
         row = int(falls[0]) + 1
         before, after = _rounded(t[row - 1]), _rounded(t[row])
-        raise ValueError(Text("signals-time-backwards", place=row_place(path, row), before=before, after=after))
+        raise ValueError(source.row_text("signals-time-backwards", row, before=before, after=after))
 
 
 def _bursts(steps: NDArray[np.float64]) -> NDArray[np.intp] | None:
@@ -189,7 +212,7 @@ def _period(steps: NDArray[np.float64]) -> float:
 
 
 def _without_clock_steps(
-    t: NDArray[np.float64], period: float, path: Path
+    t: NDArray[np.float64], period: float, source: TimeSource
 ) -> tuple[NDArray[np.float64], float, Text | None]:
     """Return times, period and what was done; raise ValueError for times without an even rate.
 
@@ -201,64 +224,71 @@ def _without_clock_steps(
     uneven = np.abs(periods - np.maximum(np.rint(periods), 1.0)) > UNEVEN
     gaps = periods > GAP
     if uneven.mean() <= FEW and gaps.mean() <= FEW:
-        _refuse_another_rate(gaps, t, path)
+        _refuse_another_rate(gaps, t, source)
         return t, period, None
     mean = float(t[-1] - t[0]) / len(steps)
     grid = t[0] + np.arange(len(t)) * mean
     late = t - grid
     if np.ptp(late) <= 2.0 * mean:
         grid += np.median(late)
-        return grid, mean, Text("signals-steps-spread", rate=_rounded(1.0 / mean))
+        return grid, mean, Text("signals-steps-spread", column=source.column, rate=_rounded(1.0 / mean))
     if uneven.mean() <= FEW and gaps.mean() <= MOST_GAPS:
-        _refuse_another_rate(gaps, t, path)
+        _refuse_another_rate(gaps, t, source)
         return t, period, None
     low, high = np.quantile(steps, (0.05, 0.95))
-    raise ValueError(Text("signals-uneven", file=str(path), least=_rounded(low, 3), most=_rounded(high, 3)))
+    raise ValueError(source.file_text("signals-uneven", least=_rounded(low, 3), most=_rounded(high, 3)))
 
 
-def _refuse_another_rate(gaps: NDArray[np.bool_], t: NDArray[np.float64], path: Path) -> None:
+def _refuse_another_rate(gaps: NDArray[np.bool_], t: NDArray[np.float64], source: TimeSource) -> None:
     run = np.convolve(gaps, np.ones(RATE_CHANGE, np.int64), "valid") if len(gaps) >= RATE_CHANGE else np.zeros(1)
     if run.max() == RATE_CHANGE:
         row = int(run.argmax())
-        raise ValueError(Text("signals-rate-changes", place=row_place(path, row), time=_rounded(t[row])))
+        raise ValueError(source.row_text("signals-rate-changes", row, time=_rounded(t[row])))
 
 
-def _refuse_units(t: NDArray[np.float64], period: float, path: Path) -> None:
+def _refuse_units(t: NDArray[np.float64], period: float, source: TimeSource) -> None:
     """Raise ValueError unless `t` can be in seconds; the sentence names the probable unit and the remedy."""
-    span, slow, fast = float(t[-1] - t[0]), (1 + ROUNDING) / SLOWEST, (1 - ROUNDING) / FASTEST
-    step: dict[str, Value] = {"file": str(path), "step": _rounded(period, 4)}
+    slow, fast = (1 + ROUNDING) / SLOWEST, (1 - ROUNDING) / FASTEST
+    step: dict[str, Value] = {"step": _rounded(period, 4)}
     if not fast <= period <= slow:
         if abs(period - 1.0) < ROUNDING and np.ptp(np.diff(t)) < ROUNDING:
-            raise ValueError(Text("signals-unit-counter", **step))
+            raise ValueError(source.file_text("signals-unit-counter", **step))
         like = [(unit, size) for unit, size in UNITS if fast <= period * size <= slow]
         if like:
             units = [Text("signals-unit", unit=unit, rate=_rounded(1.0 / (period * size), 4)) for unit, size in like]
             step |= {"unit": units[0], "factor": like[0][1]}
             if len(like) == 1:
-                raise ValueError(Text("signals-unit-other", **step))
-            raise ValueError(Text("signals-unit-one-of-two", **step, or_unit=units[1], or_factor=like[1][1]))
+                raise ValueError(source.file_text("signals-unit-other", **step))
+            raise ValueError(
+                source.file_text("signals-unit-one-of-two", **step, or_unit=units[1], or_factor=like[1][1])
+            )
         if period > slow:
-            raise ValueError(Text("signals-unit-or-slow", **step, slowest=SLOWEST, fastest=FASTEST))
-        raise ValueError(Text("signals-unit-or-fast", **step, slowest=SLOWEST, fastest=FASTEST))
-    rate = 1.0 / (period * 60.0)
+            raise ValueError(source.file_text("signals-unit-or-slow", **step, slowest=SLOWEST, fastest=FASTEST))
+        raise ValueError(source.file_text("signals-unit-or-fast", **step, slowest=SLOWEST, fastest=FASTEST))
+
+
+def _refuse_minutes(t: NDArray[np.float64], period: float, source: TimeSource) -> None:
+    """Raise ValueError for a recording so fast and short that its times are probably minutes."""
+    span, rate = float(t[-1] - t[0]), 1.0 / (period * 60.0)
     like_minutes = any(abs(rate / usual_rate - 1.0) < 2e-3 for usual_rate in USUAL_RATES)
     if 1.0 / period >= FAST * (1 - ROUNDING) and (span < SHORT or (span < BRIEF and like_minutes)):
         seconds: dict[str, Value] = {"span": _rounded(span, 3), "rate": _rounded(1.0 / period, 5), "brief": BRIEF}
         minutes = {"span_of_minutes": _rounded(span * 60.0, 4), "rate_of_minutes": _rounded(rate, 4)}
-        raise ValueError(Text("signals-unit-minutes", **step, **seconds, **minutes))
+        step = _rounded(period, 4)
+        raise ValueError(source.file_text("signals-unit-minutes", step=step, **seconds, **minutes))
 
 
-def _gap_note(t: NDArray[np.float64], period: float, path: Path) -> Text | None:
+def _gap_note(t: NDArray[np.float64], period: float, source: TimeSource) -> Text | None:
     """Return a sentence on the gaps, None when they are few and short; raise ValueError for a jump of hours."""
     steps = np.diff(t)
     gaps, row = int((steps > GAP * period).sum()), int(steps.argmax())
     longest = float(steps[row])
     if longest > LONGEST_HOLE:
-        place, hours = row_place(path, row + 1), Figure(longest / 3600.0, 1)
-        raise ValueError(Text("signals-time-jumps", place=place, seconds=_rounded(longest), hours=hours))
+        hours = Figure(longest / 3600.0, 1)
+        raise ValueError(source.row_text("signals-time-jumps", row + 1, seconds=_rounded(longest), hours=hours))
     if longest <= NOTED_HOLE and gaps <= NOTED_GAPS * len(steps):
         return None
-    return Text("signals-gaps", count=gaps, longest=_rounded(longest, 3), place=row_place(path, row + 1))
+    return source.row_text("signals-gaps", row + 1, count=gaps, longest=_rounded(longest, 3))
 
 
 def _rounded(number: float, digits: int = 6) -> float:

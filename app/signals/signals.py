@@ -1,8 +1,10 @@
-"""Reads a shirt's signals from a CSV or Parquet file, or from a recorded run."""
+"""Reads a shirt's signals from a file, or from a recorded run."""
 
 import json
 from codecs import BOM_UTF8
+from collections.abc import Collection, Sequence
 from dataclasses import dataclass
+from functools import reduce
 from pathlib import Path
 
 import numpy as np
@@ -12,12 +14,28 @@ from pydantic import ValidationError
 from app.layout import MAX_CHANNELS, ShirtLayout
 from app.recording.reader import RunRecording, both, read_run
 from app.sentences import one_sentence
-from app.signals.columns import Table, listed, read_columns_and_dialect, require_column
+from app.signals.bids_motion import rate_beside
+from app.signals.column_names import bare_name, columns_of_channels
+from app.signals.columns import NamedColumns, named_columns, read_table
 from app.signals.csv_dialect import Dialect
-from app.signals.sampling_times import FASTEST, SLOWEST, refuse_falling_times, sampling_times, strictly_rising
+from app.signals.file_table import Columns, FileTable, listed
+from app.signals.row_places import places_of_rows
+from app.signals.sampling_times import (
+    FASTEST,
+    SLOWEST,
+    SamplingTimes,
+    TimeSource,
+    refuse_falling_times,
+    sampling_times,
+    strictly_rising,
+)
+from app.signals.time_columns import TimeColumn, is_channel, sentence_of_time, time_of_table
+from app.signals.time_names import time_names
 from app.texts import Text
 
 SHORTEST = 10  # samples
+LONGEST_PAIR = 80  # letters of a channel and its column
+RATE_TOLERANCE = 0.1  # share by which the times of a file may differ from a sample rate that a person gives
 ROWS_AT_ONCE = 4096
 LARGEST = 1e10  # no sensor gives more; sums of such values do not overflow float32, nor the limits of a profile
 
@@ -41,8 +59,26 @@ class Signals:
         return slice(first, last)
 
 
-def read_signals(path: str | Path, layout: ShirtLayout | None = None) -> Signals:
-    """Read the signals of a file or of a run's folder: the layout's channels in its order, else every column but `t`.
+@dataclass(frozen=True, slots=True)
+class ReadingOptions:
+    """How a person corrects what a file says of itself; None: as the file says."""
+
+    time: str | None = None  # the column of times
+    unit: str | None = None  # of it, a key of `app.signals.time_columns.SECONDS`
+    rate: float | None = None  # Hz; the samples are even
+    channels: tuple[str, ...] | None = None  # the columns of the channels, in their order
+
+
+AS_THE_FILE_SAYS = ReadingOptions()
+
+
+def read_signals(
+    path: str | Path, layout: ShirtLayout | None = None, options: ReadingOptions = AS_THE_FILE_SAYS
+) -> Signals:
+    """Read the signals of a file or of a run's folder: the layout's channels in its order, else all columns of numbers.
+
+    The columns of times are no channels. A column is a channel of the layout by its name, apart from a unit, or by the
+    last words of it.
 
     Raises
     ------
@@ -52,22 +88,95 @@ def read_signals(path: str | Path, layout: ShirtLayout | None = None) -> Signals
     path = Path(path)
     if path.is_dir():
         return signals_of_run(read_run(path), path, layout)
-    only = None if layout is None else {"t", *layout.channel_names}
-    table, dialect = read_columns_and_dialect(path, only=only)
-    t = require_column(table, path, "t")
-    names = [name for name in table if name != "t"] if layout is None else layout.channel_names
-    if not names:
-        raise ValueError(Text("signals-no-channel", file=str(path)))
-    if layout is None and len(names) > MAX_CHANNELS:
-        raise ValueError(Text("signals-channels", file=str(path), count=len(names), most=MAX_CHANNELS))
-    if layout is not None and "t" in names:
-        raise ValueError(Text("signals-channel-named-t", file=str(path), layout=layout.name))
-    if missing := [name for name in names if name not in table]:
+    named = named_columns(path)
+    times = _times_beside(path, named.names, layout, options)
+    chosen = _chosen_columns(path, named, times, layout, options)
+    table = read_table(path, only=None if chosen is None or not times else {*times, *chosen.values()})
+    rate = options.rate if options.rate is not None or times else rate_beside(path)
+    time = _time(table, options, rate, () if chosen is None else chosen.values())
+    if chosen is None:
+        apart = {*times, *([] if time is None else [time.column])}
+        numbers = {name: values for name, values in table.columns.items() if name not in apart}
+        chosen = {name: name for name, values in numbers.items() if is_channel(name, values)}
+    if layout is not None and (missing := [name for name in layout.channel_names if name not in chosen]):
         raise ValueError(_missing(path, missing, layout))
-    if len(t) < SHORTEST:
-        raise ValueError(Text("signals-samples-few", file=str(path), count=len(t)))
-    even, sample_rate, note = sampling_times(t, path)
-    return Signals(even, _stack_columns(table, names), names, sample_rate, damage=note, dialect=dialect)
+    if not chosen:
+        raise ValueError(Text("signals-no-channel", file=str(path), column=time.column if time else "t"))
+    if layout is None and len(chosen) > MAX_CHANNELS:
+        raise ValueError(Text("signals-channels", file=str(path), count=len(chosen), most=MAX_CHANNELS))
+    count = len(next(iter(table.columns.values())))
+    if count < SHORTEST:
+        raise ValueError(Text("signals-samples-few", file=str(path), count=count))
+    even = _sampling_times(table, time, rate, count)
+    said = [table.note, None if time is None else sentence_of_time(time), _sentence_of_channels(chosen), even.note]
+    values = _stack_columns(table.columns, list(chosen.values()))
+    return Signals(even.t, values, list(chosen), even.sample_rate, damage=reduce(both, said), dialect=table.dialect)
+
+
+def _times_beside(path: Path, names: Sequence[str], layout: ShirtLayout | None, options: ReadingOptions) -> list[str]:
+    """Return the columns that can be the time; a channel of the layout is none."""
+    times = [options.time] if options.time is not None else time_names(names)
+    channels = () if layout is None else layout.channel_names
+    others = [name for name in times if name not in channels]
+    if times and not others and layout is not None:
+        raise ValueError(Text("signals-channel-named-t", file=str(path), layout=layout.name, column=times[0]))
+    return others
+
+
+def _time(
+    table: FileTable, options: ReadingOptions, rate: float | None, channels: Collection[str]
+) -> TimeColumn | None:
+    """Return the time of a table; None where only a sample rate says it."""
+    try:
+        return time_of_table(table, options.time, options.unit, channels)
+    except ValueError:
+        if rate is None or options.time is not None:
+            raise
+        return None
+
+
+def _sampling_times(table: FileTable, time: TimeColumn | None, rate: float | None, count: int) -> SamplingTimes:
+    """Return the times of the samples; a given sample rate replaces those of the file unless they contradict it."""
+    if rate is None:
+        assert time is not None
+        return sampling_times(time.t, table.places, time.column, time.is_stated)
+    first = 0.0
+    if time is not None:
+        first, span = float(time.t[0]), float(time.t[-1] - time.t[0])
+        if abs(span * rate / (count - 1) - 1.0) > RATE_TOLERANCE:
+            found = float(f"{(count - 1) / span:.4g}") if span > 0 else 0.0
+            file = table.places.file
+            raise ValueError(Text("signals-rate-wrong", file=file, rate=rate, column=time.column, found=found))
+    return SamplingTimes(first + np.arange(count) / rate, rate, Text("signals-rate-set", rate=rate))
+
+
+def _chosen_columns(
+    path: Path, named: NamedColumns, times: Sequence[str], layout: ShirtLayout | None, options: ReadingOptions
+) -> dict[str, str] | None:
+    """Return the column of each channel that has one, None for all columns; `times` can be the time."""
+    names = [name for name in named.names if name not in times]
+    if options.channels is not None:
+        if missing := [name for name in options.channels if name not in names]:
+            raise ValueError(Text("signals-column-missing", file=str(path), column=missing[0], names=listed(names)))
+        if layout is None:
+            return {name: name for name in options.channels}
+        if len(options.channels) != len(layout.channel_names):
+            counts = {"count": len(options.channels), "expected": len(layout.channel_names)}
+            raise ValueError(Text("signals-channels-count", file=str(path), layout=layout.name, **counts))
+        return dict(zip(layout.channel_names, options.channels, strict=True))
+    if layout is None:
+        return None
+    columns = columns_of_channels(layout.channel_names, names)
+    if not columns and not times:
+        wanted = listed(sorted(["t", *layout.channel_names]))
+        raise ValueError(Text("signals-columns-missing", place=named.place, names=wanted, there=listed(names)))
+    return {name: columns[name] for name in layout.channel_names if name in columns}
+
+
+def _sentence_of_channels(chosen: dict[str, str]) -> Text | None:
+    """Return which columns of other names are channels, None when there is none."""
+    pairs = [f"{name} = {column}" for name, column in chosen.items() if name != bare_name(column)[0]]
+    return Text("signals-channels-taken", pairs=listed(pairs, longest=LONGEST_PAIR)) if pairs else None
 
 
 def signals_of_run(run: RunRecording, path: Path, layout: ShirtLayout | None = None) -> Signals:
@@ -90,10 +199,10 @@ def signals_of_run(run: RunRecording, path: Path, layout: ShirtLayout | None = N
     chosen[np.abs(chosen) > LARGEST] = np.nan
     t, damage, stated_rate = frames["run_t"], run.damage, run.meta.get("sample_rate")
     if isinstance(stated_rate, int | float) and SLOWEST <= stated_rate <= FASTEST:  # the times are those of arrival
-        refuse_falling_times(t, path)
+        refuse_falling_times(t, TimeSource(places_of_rows(path)))
         t, sample_rate = strictly_rising(t), float(stated_rate)
     else:
-        t, sample_rate, note = sampling_times(t, path)
+        t, sample_rate, note = sampling_times(t, places_of_rows(path))
         damage = both(damage, note)
     t_device = frames["t_device"] if np.isfinite(frames["t_device"]).all() else None
     return Signals(t, chosen, chosen_names, sample_rate, t_device, damage)
@@ -118,10 +227,10 @@ def _missing(path: Path, missing: list[str], layout: ShirtLayout | None) -> Text
     return Text("signals-channel-missing", file=str(path), names=names, layout=layout.name if layout else "")
 
 
-def _stack_columns(table: Table, names: list[str]) -> NDArray[np.float64] | NDArray[np.float32]:
+def _stack_columns(table: Columns, names: list[str]) -> NDArray[np.float64] | NDArray[np.float32]:
     """Return the named columns as (n, n_channels), with NaN for infinities and for values beyond LARGEST."""
     single = all(table[name].dtype == np.float32 for name in names)
-    shape = (len(table["t"]), len(names))
+    shape = (len(table[names[0]]), len(names))
     values: NDArray[np.float64] | NDArray[np.float32]
     values = np.empty(shape, dtype=np.float32) if single else np.empty(shape, dtype=np.float64)
     for first in range(0, len(values), ROWS_AT_ONCE):  # by blocks that fit into the processor's cache

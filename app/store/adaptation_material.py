@@ -10,8 +10,10 @@ from app.calibration.profile import CalibrationProfile
 from app.calibration.vocabulary import DriveParameters
 from app.json_values import JsonDocument
 from app.scoring.map_losses.losses import MOST_TRIALS
+from app.source import SourceGroup
 from app.store.map_versions import calibration_behind, family
 from app.store.parameters import as_document, current_parameters
+from app.store.run_groups import is_of_group
 from app.store.tables import ParameterSet, Patient, Profile, Run, Trial
 
 LAST_TRIALS = 6  # older trials say little about how the person moves today
@@ -35,13 +37,14 @@ class AdaptationMaterial(NamedTuple):
     past: list[PastTrialRow]  # all trials with a map of the same calibration, of earlier sessions too, the newest last
 
 
-def material_for(db: Session, patient_id: int, session_id: int, *, simulated: bool | None) -> AdaptationMaterial:
+def material_for(db: Session, patient_id: int, session_id: int, group: SourceGroup) -> AdaptationMaterial:
     """Return the last kept trials of a session that were driven with a map of the same calibration, and all of them.
 
     This session's trials show how the person moves: the shirt has been put on again since the earlier ones. All trials
     together show whether the map loses something. A trial in which motion was never permitted counts as well, because
-    the dead-zone has to follow the noise that kept the chair from starting. `simulated`: nobody wears the shirt in use.
-    A simulated movement never changes the map of a person, and a person's movement never a simulated one.
+    the dead-zone has to follow the noise that kept the chair from starting. `group`: that of the shirt in use. A
+    simulated movement never changes the map of a person, a person's movement never a simulated one, and what a camera
+    saw never the map of a worn shirt.
     """
     row, profile = current_parameters(db, patient_id)
     versions = family(db, patient_id, profile.version)
@@ -51,7 +54,7 @@ def material_for(db: Session, patient_id: int, session_id: int, *, simulated: bo
         .join(Profile, Profile.id == ParameterSet.profile_id)
         .join(Run, Run.id == Trial.run_id)
         .where(
-            Run.simulated.is_(simulated),
+            is_of_group(group),
             Trial.kept.is_(True),
             Trial.status == "done",
             Profile.patient_id == patient_id,

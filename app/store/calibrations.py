@@ -5,6 +5,7 @@ from sqlalchemy.orm import Session
 
 from app.json_values import JsonDocument
 from app.refusals import Conflict
+from app.source import OWN_GROUPS, source_group
 from app.store.map_versions import family
 from app.store.tables import CalibrationStep, PatientSession, Profile, Run
 from app.texts import Text
@@ -58,17 +59,18 @@ def recordings_behind(db: Session, row: Profile) -> dict[str, str]:
 
 
 def is_calibration_simulated(db: Session, session_id: int) -> bool | None:
-    """Return whether nobody wore the shirt in the done steps, None when unknown; Conflict for a mixture of both."""
-    sources = set(
-        db.scalars(
-            select(Run.simulated)
+    """Return whether nobody wore the shirt in the done steps, None when unknown; Conflict for a mixture of groups."""
+    groups = {
+        source_group(shirt, simulated): simulated
+        for shirt, simulated in db.execute(
+            select(Run.shirt, Run.simulated)
             .join(CalibrationStep, CalibrationStep.run_id == Run.id)
             .where(CalibrationStep.session_id == session_id, CalibrationStep.status == "done")
         )
-    )
-    if len(sources) > 1:
-        raise Conflict(Text("store-steps-mixed"))
-    return next(iter(sources), None)
+    }
+    if len(groups) > 1:
+        raise Conflict(Text("store-steps-mixed-sensors" if groups.keys() & OWN_GROUPS.keys() else "store-steps-mixed"))
+    return next(iter(groups.values()), None)
 
 
 def fail_interrupted_steps(db: Session) -> None:

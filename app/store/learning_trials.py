@@ -10,10 +10,10 @@ from sqlalchemy.orm import Session
 from app.json_values import JsonDocument
 from app.source import SourceGroup, source_description
 from app.store.consent import consented
+from app.store.run_groups import is_of_group
 from app.store.tables import ParameterSet, Patient, PatientSession, Profile, Run, Trial
 
 FAMILIARISATION = 3  # first trials of a task with one kind of source, in which a person gets used to it
-SIMULATED: dict[SourceGroup, bool | None] = {"worn": False, "simulated": True, "unknown": None}
 MOST_TRIALS = 2000  # the newest, that the clinic's median is of
 
 
@@ -77,7 +77,7 @@ def trials_of_everybody(db: Session, floorplan: str, path: str, group: SourceGro
         .join(PatientSession, PatientSession.id == Trial.session_id)
         .join(Patient, Patient.id == Trial.patient_id)
         .join(Run, Run.id == Trial.run_id)
-        .where(Patient.deleted.is_(None), Run.simulated.is_(SIMULATED[group]), _may_be_used(group))
+        .where(Patient.deleted.is_(None), is_of_group(group), _may_be_used(group))
         .where(*_measured(floorplan, path))
         .order_by(Trial.id.desc())
         .limit(MOST_TRIALS)

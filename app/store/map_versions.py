@@ -10,10 +10,12 @@ from app.calibration.profile import CalibrationProfile
 from app.calibration.vocabulary import DriveParameters
 from app.json_values import JsonDocument
 from app.refusals import Conflict
+from app.source import UNKNOWN, SourceGroup, source_group
 from app.store.parameters import current_parameters, save_parameters, save_profile
-from app.store.tables import ParameterSet, Profile, Trial
+from app.store.tables import ParameterSet, Profile, Run, Trial
 from app.texts import Text
 
+CALIBRATION_RUNS = ("rest", "free", "prompt")  # kinds of recordings
 BACK_TO = "back_to"  # in `Profile.difference` of a version that goes back: the version whose map it has
 
 
@@ -114,6 +116,20 @@ def calibration_behind(db: Session, profile: Profile) -> CalibrationProfile:
     """Return the calibration that a version of the map comes from."""
     first = min(family(db, profile.patient_id, profile.version))
     return CalibrationProfile.model_validate(version_row(db, profile.patient_id, first).document)
+
+
+def source_of_map(db: Session, profile: Profile) -> SourceGroup:
+    """Return the group of the recordings that a version of the map was calibrated with."""
+    if profile.simulated is not False:
+        return source_group(UNKNOWN, profile.simulated)
+    first = version_row(db, profile.patient_id, min(family(db, profile.patient_id, profile.version)))
+    shirt = db.scalar(
+        select(Run.shirt)
+        .where(Run.session_id == first.session_id, Run.kind.in_(CALIBRATION_RUNS), Run.started <= first.created)
+        .order_by(Run.started.desc())
+        .limit(1)
+    )
+    return source_group(shirt or UNKNOWN, profile.simulated)
 
 
 def family(db: Session, patient_id: int, version: int) -> set[int]:

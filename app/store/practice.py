@@ -10,8 +10,10 @@ from sqlalchemy.orm import Session
 from app.calibration.vocabulary import DriveParameters
 from app.derived_results import DerivedResults
 from app.refusals import Conflict
+from app.source import SourceGroup
 from app.store.origins import ImportedSession
 from app.store.parameters import as_document
+from app.store.run_groups import is_of_group
 from app.store.tables import ParameterSet, Profile, Run, Trial
 
 PRACTICE_ENDS = ("goal", "time-out", "by hand")  # a trial that a fault ended is no practice
@@ -33,22 +35,22 @@ NO_PRACTICE = Practice(0, None)
 class PracticeHistory:
     """Finds practice in a patient's trials. Hashes are computed anew: a later program may hash more fields.
 
-    Only trials with the same kind of shirt as the one in use count: `simulated` is true when nobody wears it. Trials
-    that came with an archive do not count: shirt, limits and chairs were those of another clinic (decision 33).
+    Only trials of the group of sources that the shirt in use belongs to count. Trials that came with an archive do not:
+    shirt, limits and chairs were those of another clinic (decision 33).
     """
 
     def __init__(self) -> None:
         self._hashes: DerivedResults[int, str] = DerivedResults(KEPT)  # of rows of parameters, which never change
 
-    def practice(self, db: Session, patient_id: int, digest: str, *, simulated: bool | None) -> Practice:
+    def practice(self, db: Session, patient_id: int, digest: str, group: SourceGroup) -> Practice:
         """Return how often the patient practised the set of this hash, in finished and kept trials."""
-        trials = _practice_trials(db, patient_id, simulated)
+        trials = _practice_trials(db, patient_id, group)
         started = [trial.started for trial, row, profile in trials if self._has_hash(row, profile, digest)]
         return Practice(len(started), max(started, default=None))
 
-    def newest(self, db: Session, patient_id: int, *, simulated: bool | None) -> DriveParameters | None:
+    def newest(self, db: Session, patient_id: int, group: SourceGroup) -> DriveParameters | None:
         """Return the parameter set of the newest finished and kept trial, None when there is none."""
-        for _trial, row, profile in _practice_trials(db, patient_id, simulated):
+        for _trial, row, profile in _practice_trials(db, patient_id, group):
             return _document(row, profile)
         return None
 
@@ -56,9 +58,7 @@ class PracticeHistory:
         return self._hashes.of(row.id, lambda: _hash(row, profile)) == digest
 
 
-def _practice_trials(
-    db: Session, patient_id: int, simulated: bool | None
-) -> Iterator[tuple[Trial, ParameterSet, Profile]]:
+def _practice_trials(db: Session, patient_id: int, group: SourceGroup) -> Iterator[tuple[Trial, ParameterSet, Profile]]:
     """Yield the patient's finished and kept trials of this clinic in which the chair was permitted to move.
 
     The newest comes first.
@@ -69,7 +69,7 @@ def _practice_trials(
         .join(Profile, Profile.id == ParameterSet.profile_id)
         .join(Run, Run.id == Trial.run_id)
         .where(Trial.patient_id == patient_id, Trial.kept.is_(True), Trial.end.in_(PRACTICE_ENDS))
-        .where(Run.simulated.is_(simulated), Trial.session_id.not_in(select(ImportedSession.session_id)))
+        .where(is_of_group(group), Trial.session_id.not_in(select(ImportedSession.session_id)))
         .order_by(Trial.id.desc())
     )
     yield from ((trial, row, profile) for trial, row, profile in rows if trial.measures is not None)

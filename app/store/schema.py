@@ -22,7 +22,7 @@ if TYPE_CHECKING:
     from alembic.config import Config
 
 MIGRATIONS = Path(__file__).parent / "migrations"
-NEWEST = "0003"  # the last revision there; a start with a new database, or one of this revision, loads no alembic
+NEWEST = "0004"  # the last revision there; a start with a new database, or one of this revision, loads no alembic
 
 
 def metadata() -> MetaData:

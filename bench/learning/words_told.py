@@ -25,15 +25,20 @@ THREES = (3,) * 7  # eight sessions of three trials, of which the first is for g
 
 def words_on_page(rows: list[Row], clinic: dict[str, Spread]) -> set[str]:
     """Return what a page says of these trials that is more than noise: "sessions", "course", "deterioration"."""
-    found, leading = task_verdicts(rows, clinic), leading_of_task(rows)
+    found = task_verdicts(rows, clinic)
     words = [one.word for pair in found.sessions for one in pair.verdicts.values()]
-    changes = [course_change(name, rows, leading, clinic).word for name in leading]
     is_told = {
         "sessions": any(word in CHANGE for word in words),
-        "course": any(word in CHANGE for word in changes),
+        "course": tells_course(rows, clinic),
         "deterioration": bool(found.deterioration),
     }
     return {place for place, told in is_told.items() if told}
+
+
+def tells_course(rows: list[Row], clinic: dict[str, Spread]) -> bool:
+    """Return whether the sentence on all sessions tells a change in one of the measures."""
+    leading = leading_of_task(rows)
+    return any(course_change(name, rows, leading, clinic).word in CHANGE for name in leading)
 
 
 def least_of_course(rows: list[Row], clinic: dict[str, Spread]) -> float:

@@ -1,5 +1,6 @@
 """A clinic of its own for each test: a copy of one that was made once, opened by the web application."""
 
+import os
 import shutil
 from collections.abc import Callable, Iterator
 from contextlib import ExitStack, contextmanager
@@ -19,6 +20,7 @@ from app.api.sign_in import hashing
 from app.session import run_watch
 from app.session.calibration import calibration_flow
 from app.settings import Settings
+from app.store import database
 from app.store.files import ballast
 
 CODE = "the-code-of-the-link"
@@ -40,9 +42,11 @@ def sign_in(clinic: Clinic) -> None:
 
 
 def quick(monkeypatch: pytest.MonkeyPatch) -> None:
-    """Take the time out of what a test waits for: hashes, the ballast, looking again, processes."""
+    """Take the time out of what a test waits for: hashes, the ballast, the disk, looking again, processes."""
     monkeypatch.setattr(hashing, "COST", hashing.Cost(time=1, memory=8, lanes=1))
     monkeypatch.setattr(ballast, "SIZE", 65_536)  # each test keeps its folder for a while
+    monkeypatch.setattr(database, "PRAGMAS", (*database.PRAGMAS, "synchronous=OFF"))  # no test cuts the power
+    monkeypatch.setattr(os, "fsync", lambda _descriptor: None)
     monkeypatch.setattr(calibration_flow, "WATCH_EVERY", 0.002)
     monkeypatch.setattr(run_watch, "WATCH_EVERY", 0.002)
     read_in_this_process(monkeypatch)

@@ -54,6 +54,8 @@ class FakeProcess:
         self.switch_seen = False
         self.mistrust = ""  # why the shirt arms no real chair
         self.senders: dict[str, Any] | None = None  # of a shirt over the network
+        self.found: list[str] = []
+        self.arrivals: dict[str, Any] | None = None  # what arrives at the shirt
         self.shirt, self.body = "", None
         self.layout = LAYOUT  # of the next shirt that is opened
 
@@ -103,7 +105,8 @@ class FakeProcess:
             self.state, self.fault = (State.ARMED if self.run else State.DISARMED), Fault.NONE
         if do == "status":
             frames: dict[str, Any] = {"alive": self.sends, "silent": not self.sends, "sample_rate": 100.0, "lost": 0}
-            shirt = {"kind": "simulator", "words": self.shirt_words, **frames, "senders": self.senders}
+            others = {"senders": self.senders, "found": self.found, "arrivals": self.arrivals}
+            shirt = {"kind": "simulator", "words": self.shirt_words, **frames, **others}
             chair = {"kind": self.chair, "words": f"A {self.chair} chair.", "switch_seen": self.switch_seen}
             loop = {"realtime": ["No real-time scheduling."], "late": 0, "recording": None, "hash": None}
             return {"shirt": shirt, "chair": chair, "dial": self.dial, **loop}

@@ -5,6 +5,7 @@ from collections.abc import Iterator, Mapping
 from typing import Any, NamedTuple
 
 from api.fake_clinic import Clinic
+from api.fake_process import LAYOUT
 
 IDS = {  # names of whole numbers that are ids, and of which table
     **dict.fromkeys(("patient_id", "patient", "patients"), "patient"),
@@ -18,6 +19,7 @@ IDS = {  # names of whole numbers that are ids, and of which table
     "incident_id": "incident",
     "comment_id": "moment_comment",
     "share_id": "share_link",
+    "layout_id": "clinic_layout",
 }
 FILLED = {"other": "1", "form": "csv", "reason": "by hand", "dynamics": "unicycle"}
 FILLED |= {"floorplan": "apartment", "path": "main"}
@@ -41,6 +43,7 @@ BODIES: dict[str, dict[str, Any]] = {  # what has to be sent along with an id
     "POST /patients/{patient_id}/shares": {"days": 14},
     "POST /sessions/{session_id}/shares": {"days": 14},
     "PUT /patients/{patient_id}/consents/{consent}": {"given": "2026-03-01"},
+    "PUT /layouts/{layout_id}": {"version": 1, "layout": LAYOUT.model_dump(mode="json")},
 }
 MISSING = 2**31 - 1  # an id that nothing has
 

@@ -16,23 +16,20 @@ from app.session.trial import TrialFlow
 LONG = "k" * 100_000
 
 
-@pytest.mark.parametrize("number", ["9223372036854775808", "99999999999999999999999", "-1", "NaN"])
-def test_an_id_that_no_database_holds_is_refused(signed_in: Any, number: str) -> None:
-    for method, path in (("DELETE", f"/patients/{number}"), ("POST", f"/patients/{number}/restore")):
-        signed_in.refused(422, method, path)
+def test_an_id_that_no_database_holds_is_refused(signed_in: Any) -> None:
+    for number in ("9223372036854775808", "99999999999999999999999", "-1", "NaN"):
+        signed_in.refused(422, "DELETE", f"/patients/{number}")
+        signed_in.refused(422, "POST", f"/patients/{number}/restore")
 
 
-@pytest.mark.parametrize(
-    ("content", "kind", "status"),
-    [
+def test_a_body_that_cannot_be_taken_apart(signed_in: Any) -> None:
+    for content, kind, status in (
         (b"\xff\xfe\x00", "application/json", 422),
         (b"[" * 100_000, "application/json", 422),
         (b'{"code": "P-1", "pseudonym": "Heron", "' + LONG.encode() + b'": 1}', "application/json", 422),
         (b'{"code": "P-1", "pseudonym": "Heron"}', "text/plain", 415),
-    ],
-)
-def test_a_body_that_cannot_be_taken_apart(signed_in: Any, content: bytes, kind: str, status: int) -> None:
-    signed_in.refused(status, "POST", "/patients", content=content, headers={"Content-Type": kind})
+    ):
+        signed_in.refused(status, "POST", "/patients", content=content, headers={"Content-Type": kind})
     assert signed_in.good("GET", "/patients") == []
 
 
@@ -76,6 +73,27 @@ def test_a_bad_file_does_not_take_the_place_of_a_good_one(signed_in: Any, settin
     assert [file["name"] for file in signed_in.good("GET", "/equipment")["files"]] == ["walk.csv"]
 
 
+@pytest.mark.parametrize(
+    ("content", "status"),
+    [
+        (b"# logger 1.2, 50 Hz\nTime (s);A [mV]\n0,00;1,5\n0,02;1,6\n", 201),
+        ("Zeit in ms\tKraft µN\n0\t1\n20\t2\n".encode("utf-16"), 201),
+        (b",t,A,\n0,0.00,1,\n1,0.02,2,\n", 201),
+        (b"force,A\n1,2\n", 422),
+        (b"t\n1\n", 422),
+        (b"\x89PNG\r\n\0", 422),
+    ],
+)
+def test_a_recording_of_another_program_is_kept_when_it_has_times_and_channels(
+    signed_in: Any, content: bytes, status: int
+) -> None:
+    files = {"file": ("other.csv", io.BytesIO(content), "text/csv")}
+    assert signed_in("POST", "/equipment/files", files=files).status_code == status
+    if status == 201:
+        (file,) = signed_in.good("GET", "/equipment")["files"]
+        assert (file["name"], file["kind"]) == ("other.csv", "signals")
+
+
 def test_a_body_that_does_not_fit_leaves_the_shirt_before(signed_in: Any) -> None:
     before = signed_in.good("GET", "/equipment")
     signed_in.process.refuse["body"] = "This body has no joint of that shirt: choose another body."
@@ -96,12 +114,12 @@ def test_a_refused_file_is_named_without_its_place(signed_in: Any, settings: Any
     assert said.lower().startswith("walk.csv, line 2")
 
 
-@pytest.mark.parametrize("message", ["[" * 4000, '{"a":' * 800, "junk", "null", '{"move":{"x":NaN}}'])
-def test_junk_leaves_the_live_socket_open(signed_in: Any, message: str) -> None:
+def test_junk_leaves_the_live_socket_open(signed_in: Any) -> None:
     with signed_in.socket("/live") as socket:
-        socket.send_text(message)
-        for _ in range(3):
-            assert socket.receive_json()["state"] == "disarmed"
+        for message in ("[" * 4000, '{"a":' * 800, "junk", "null", '{"move":{"x":NaN}}'):
+            socket.send_text(message)
+            for _ in range(3):
+                assert socket.receive_json()["state"] == "disarmed", message[:20]
 
 
 def test_what_is_no_text_closes_the_live_socket(signed_in: Any) -> None:

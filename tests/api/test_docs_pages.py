@@ -6,8 +6,6 @@ from html.parser import HTMLParser
 from typing import Any
 from urllib.parse import urldefrag, urljoin, urlsplit
 
-import pytest
-
 from app.api.pages import to_html
 from app.faults import EXPLANATIONS, Fault
 from folders import ROOT
@@ -65,9 +63,14 @@ def test_a_page_has_its_title_the_frame_and_our_policy(clinic: Any) -> None:
     assert "default-src 'none'" in answer.headers["Content-Security-Policy"]
 
 
-@pytest.mark.parametrize("name", ["../pyproject", "%2e%2e/README", "..%2fREADME", "nobody", "README.md/", "pictures/"])
-def test_nothing_outside_of_the_folder_is_a_page(clinic: Any, name: str) -> None:
-    assert clinic.client.get(f"/docs/{name}", follow_redirects=False).status_code == 404
+def test_pictures_have_their_types(clinic: Any) -> None:
+    for name, kind in (("wired-shirt.svg", "image/svg+xml"), ("shirt.webp", "image/webp")):
+        assert clinic.client.get(f"/docs/pictures/{name}").headers["Content-Type"] == kind
+
+
+def test_nothing_outside_of_the_folder_is_a_page(clinic: Any) -> None:
+    for name in ("../pyproject", "%2e%2e/README", "..%2fREADME", "nobody", "README.md/", "pictures/"):
+        assert clinic.client.get(f"/docs/{name}", follow_redirects=False).status_code == 404, name
 
 
 def test_tags_in_a_text_are_shown_and_not_obeyed() -> None:

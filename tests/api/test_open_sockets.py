@@ -11,6 +11,7 @@ from app.api.sign_in.identity import COOKIE, SignedInPerson
 from app.api.sockets import CUT_OFF, OpenSockets
 from app.cli import server as server_module
 from app.cli.server import WebServer
+from app.session.equipment.paired_phones import PairedPhones
 
 
 class Socket:
@@ -31,7 +32,7 @@ class Socket:
 @pytest.mark.parametrize("trouble", [WebSocketDisconnect(1006), RuntimeError("closed"), TimeoutError()])
 def test_a_page_that_is_just_gone_does_not_keep_the_others_open(trouble):
     async def close():
-        sockets = OpenSockets(SimpleNamespace(), SimpleNamespace())
+        sockets = OpenSockets(SimpleNamespace(), SimpleNamespace(), PairedPhones())
         gone, here = Socket(trouble), Socket()
         async with sockets.guarded(gone, None), sockets.guarded(here, None):
             await sockets.close_all()
@@ -75,7 +76,7 @@ class Page:
 
 async def with_pages(pages, act):
     """Keep the websockets of pages open while `act` does something with all open ones; return what it returns."""
-    opened = OpenSockets(SimpleNamespace(), SimpleNamespace())
+    opened = OpenSockets(SimpleNamespace(), SimpleNamespace(), PairedPhones())
     async with AsyncExitStack() as stack:
         for number, page in enumerate(pages):
             who = SignedInPerson(sign_in_id=number, person_id=1, clinic_id=1, name="Ada", role="owner")

@@ -14,7 +14,7 @@ from starlette.types import ASGIApp, Receive, Scope, Send
 
 from app.api.pages import Pages, PagesFirst, language_files, read_entry
 from app.settings import static_folder
-from app.texts import reader_language
+from app.texts import LANGUAGES, reader_language
 
 ENTRY = """<!doctype html>
 <head>
@@ -139,6 +139,49 @@ def test_a_script_of_others_is_served_as_a_file_of_the_pages(tmp_path: Path) -> 
     assert Pages(put(tmp_path, **{"vendor/charts.js": "draw(2)"})).version != pages.version
 
 
+def test_a_large_file_is_sent_as_it_is_and_kept_for_as_long_as_the_scripts_that_load_it(tmp_path: Path) -> None:
+    put(tmp_path)
+    (tmp_path / "vendor").mkdir()
+    (tmp_path / "vendor" / "pose.wasm").write_bytes(bytes(range(256)))
+    pages = Pages(tmp_path)
+    for middleware in ((), (PagesFirst,)):
+        app = Starlette()
+        app.mount("/", pages)
+        for each in middleware:
+            app.add_middleware(each, pages=pages)
+        with TestClient(app) as client:
+            kept = client.get(f"/v-{pages.version}-en/vendor/pose.wasm", headers={"Accept-Encoding": "gzip"})
+            assert (kept.content, kept.headers["content-type"]) == (bytes(range(256)), "application/wasm")
+            assert kept.headers["cache-control"] == "public, max-age=31536000, immutable"
+            assert "content-encoding" not in kept.headers
+            assert client.get("/vendor/pose.wasm").headers["cache-control"] == "no-cache"
+            assert client.get(f"/v-{pages.version}-en/vendor/other.wasm").status_code == 404
+            assert client.post("/vendor/pose.wasm").status_code == 405
+
+
+def test_only_what_reads_a_camera_s_pictures_may_compile_and_it_reaches_no_other_machine() -> None:
+    pages = Pages(static_folder())
+    with browser_of(pages) as client:
+        names = [name for name in shown_files() if name.endswith((".js", ".html"))]
+        policies = {
+            name: policy
+            for name in names
+            if (policy := client.get(f"/v-{pages.version}-en/{name}").headers.get("content-security-policy"))
+        }
+    assert policies.keys() == {"js/camera/pose_engine.js", "camera.html"}
+    (policy,) = set(policies.values())
+    rules = dict(rule.split(" ", 1) for rule in policy.split("; "))
+    assert rules["script-src"] == "'self' 'wasm-unsafe-eval'"
+    assert (rules["default-src"], rules["connect-src"], rules["form-action"]) == ("'none'", "'self'", "'none'")
+
+
+def shown_files() -> list[str]:
+    """Return the names of all files of the pages but those of others."""
+    folder = static_folder()
+    files = (file.relative_to(folder).as_posix() for file in folder.rglob("*") if file.is_file())
+    return [name for name in files if not name.startswith(("vendor/", "words/"))]
+
+
 def test_every_module_that_a_page_imports_is_preloaded_and_there() -> None:
     with browser_of(Pages(static_folder())) as client:
         for entry in ("index", "patient", "stereo"):
@@ -147,7 +190,7 @@ def test_every_module_that_a_page_imports_is_preloaded_and_there() -> None:
             assert {client.get(link).status_code for link in links} == {200}
 
 
-LANGUAGES = ("en", "es")
+TWO_LANGUAGES = ("en", "es")
 IN_SPANISH = {"Cookie": "language=es"}
 MESSAGES = {
     "words/en/a.ftl": '### For translators\n\n# why\none = "One" – {" "}\n    # two\n',
@@ -180,7 +223,7 @@ class Cookies:
 @pytest.fixture
 def translated(tmp_path: Path) -> Any:
     """Return the pages in two languages, and a client."""
-    pages = Pages(put(tmp_path, **MESSAGES), LANGUAGES)
+    pages = Pages(put(tmp_path, **MESSAGES), TWO_LANGUAGES)
     with browser_of(pages, Cookies) as client:
         yield pages, client
 
@@ -241,7 +284,7 @@ def test_messages_are_loaded_with_what_imports_them_and_have_its_version(tmp_pat
     assert client.get("/words/en/b.ftl").status_code == client.get("/words/entries.ftl.js").status_code == 404
     for name in ("words/en/b.ftl", "words/es/b.ftl", "words/es/entries.ftl"):
         put(tmp_path, **MESSAGES | {name: MESSAGES[name] + "three = 3\n"})
-        assert Pages(tmp_path, LANGUAGES).version != pages.version
+        assert Pages(tmp_path, TWO_LANGUAGES).version != pages.version
 
 
 def test_an_entry_is_read_in_a_language(tmp_path: Path) -> None:
@@ -252,10 +295,9 @@ def test_an_entry_is_read_in_a_language(tmp_path: Path) -> None:
     }
 
 
-def test_each_folder_of_messages_is_a_language_that_pages_can_be_in() -> None:
-    languages = sorted(folder.name for folder in (static_folder() / "words").iterdir())
-    pages = Pages(static_folder(), languages)
-    for language in languages:
+def test_the_pages_are_in_each_language_without_a_place_that_has_no_words() -> None:
+    pages = Pages(static_folder())
+    for language in LANGUAGES:
         for entry in static_folder().glob("*.html"):
             text = pages.text(entry.name, language)
             assert f'<html lang="{language}">' in text

@@ -40,6 +40,16 @@ def asked(clinic: Any, route: str, session: str | None) -> Any:
     return clinic.client.request(method, f"/api/v1{filled(path, role='clinician')}", headers=headers)
 
 
+def refusal(clinic: Any, name: str, route: str, session: str | None) -> str:
+    """Return the words that refuse the session of a page; empty when the answer has neither of them."""
+    answer = asked(clinic, route, session)
+    if answer.status_code == 401:  # some routes end the sign-in
+        clinic.client.cookies.update(clinic.cookies_of(name))
+        answer = asked(clinic, route, session)
+    words = {409: OTHER, 422: UNNAMED}.get(answer.status_code, "")
+    return words if words in answer.text else ""
+
+
 def test_every_changing_route_refuses_another_session_and_none_or_is_marked_with_its_reason(in_session: Any) -> None:
     name = in_session.good("GET", "/auth/me")["name"]
     before = second_patient(in_session)
@@ -47,23 +57,20 @@ def test_every_changing_route_refuses_another_session_and_none_or_is_marked_with
     assert len(routes) >= 50
     reasons = without_session(in_session)
     assert all(reasons.values())
-    wrong = []
-    for route in routes:
-        refused = {}
-        for named in (before, "none", "999999", None, "B-12", "0", "-1"):
-            answer = asked(in_session, route, named)
-            if answer.status_code == 401:  # some routes end the sign-in
-                in_session.client.cookies.update(in_session.cookies_of(name))
-                answer = asked(in_session, route, named)
-            says = {409: OTHER, 422: UNNAMED}
-            refused[named] = tuple(answer.status_code == code and word in answer.text for code, word in says.items())
-        stale = [refused[name] == (True, False) for name in (before, "none", "999999")]
-        nameless = [refused[name] == (False, True) for name in (None, "B-12", "0", "-1")]
-        expected = route not in reasons
-        if {*stale, *nameless} != {expected}:
-            wrong.append((route, refused))
-    assert wrong == []
+    refused = {route: [refusal(in_session, name, route, page) for page in (before, None)] for route in routes}
+    assert {
+        route: words
+        for route, words in refused.items()
+        if words != (["", ""] if route in reasons else [OTHER, UNNAMED])
+    } == {}
     assert in_session.good("GET", "/session")["patient"]["code"] == "B-12"
+
+
+def test_what_is_no_session_is_no_name_of_one_and_no_session_is_another_one(in_session: Any) -> None:
+    name, before = in_session.good("GET", "/auth/me")["name"], second_patient(in_session)
+    for words, pages in ((OTHER, (before, "none", "999999")), (UNNAMED, (None, "B-12", "0", "-1"))):
+        refused = {page: refusal(in_session, name, "PUT /adaptation", page) for page in pages}
+        assert refused == dict.fromkeys(pages, words)
 
 
 def test_the_refusal_says_who_is_open_who_opened_it_when_and_whose_page_this_is(in_session: Any) -> None:

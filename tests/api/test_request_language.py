@@ -5,15 +5,9 @@ from hypothesis import given
 from hypothesis import strategies as st
 from starlette.requests import HTTPConnection
 
-from app.api import request_language
 from app.api.request_language import RequestLanguage, language_of
 from app.texts import current_language
 from event_loop import in_event_loop
-
-
-@pytest.fixture(autouse=True)
-def three_languages(monkeypatch):
-    monkeypatch.setattr(request_language, "LANGUAGES", ("en", "es", "de"))
 
 
 def request(query="", **headers):

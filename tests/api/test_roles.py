@@ -19,7 +19,7 @@ FOR_EVERYONE = {
     *("POST /auth/demo", "POST /auth/setup", "POST /auth/sign-in", "POST /auth/unlock", "POST /auth/sign-out"),
     *("POST /auth/invitation", "POST /auth/invitation/accept", "GET /auth/me", "PUT /auth/language"),
     *("GET /start", "GET /reference", "GET /trust", "GET /equipment/practice", "POST /control/stop"),
-    *("POST /patient-screen/pair", "GET /patient-screen/me"),
+    *("POST /patient-screen/pair", "GET /patient-screen/me", "POST /phones/pair", "GET /phones/me"),
     *("POST /shared/open", "GET /shared"),
 }
 # Method and path of those that need no cookie at all; what is shared has a cookie of its own.
@@ -86,14 +86,18 @@ def test_the_matrix_of_roles_and_routes(in_session: Clinic, role: str) -> None:
     elif role != "nobody":
         clinic.cookies_of(role, role.partition(" ")[0], [] if role == "reviewer by patient" else None)
     wrong = []
+    cookies: dict[str, str] = {}
     for name, right in table(clinic.client.app).items():  # type: ignore[arg-type]
         for view in ("clinician", "patient") if "{role}" in name else ("clinician",):
             clinic.client.cookies.clear()
             if role == "patient's screen":
                 clinic.client.cookies[SCREEN_COOKIE] = screen
             elif role != "nobody":
-                clinic.client.cookies.update(clinic.cookies_of(role))  # anew: one of the routes signs out
+                cookies = cookies or clinic.cookies_of(role)
+                clinic.client.cookies.update(cookies)
             status = requested(clinic, name, view).status_code
+            if name == "POST /auth/sign-out":
+                cookies = {}
             if status not in expected(role, name, right or 0, view):
                 wrong.append((name, view, status))
     assert wrong == []
@@ -113,7 +117,8 @@ def expected(role: str, name: str, needed: int, view: str) -> set[int]:
 def test_no_websocket_opens_for_nobody(clinic: Clinic) -> None:
     sockets = {context.path for context in contexts(clinic.client.app, APIWebSocketRoute)}  # type: ignore[arg-type]
     views = {"/view/{role}", "/view/{role}/", "/view/replay/{word}", "/view/replay/{word}/"}
-    assert sockets == {"/api/v1/live", "/api/v1/screen", "/api/v1/patient/live"} | views
+    of_pages = {"/api/v1/live", "/api/v1/screen", "/api/v1/patient/live"}
+    assert sockets == of_pages | {"/api/v1/camera", "/api/v1/phone"} | views
     for path in sockets:
         named = path.replace("{role}", "clinician").replace("{word}", "no-such-word")
         url = f"{BASE.replace('http', 'ws')}{named}"

@@ -35,7 +35,7 @@ def put_first_sentences_away(page):
 def choose_network_shirt(page, port, key=None):
     """Choose a shirt over the network on the Shirt page, and return the card of its source."""
     go_to(page, "shirt")
-    card = page.locator("section.card", has=page.get_by_role("heading", name="Source"))
+    card = page.locator("section.card[data-card=source]")
     card.locator("summary").click()
     card.get_by_text("A shirt over the network", exact=True).click()
     card.get_by_label("Port").fill(str(port))

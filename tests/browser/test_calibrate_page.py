@@ -43,7 +43,7 @@ def test_the_calibration_is_walked_through_and_survives_a_reload(tablets, end):
     page.get_by_role("switch", name="Go on by itself").set_checked(True, force=True)
     page.evaluate(LISTEN)
     page.get_by_role("button", name="Start").click()
-    page.wait_for_timeout(3000)
+    page.wait_for_timeout(1000)
     follower.reload()  # in the middle of the step, which goes on
     expect(follower.get_by_role("heading", name="Move freely")).to_be_visible()
     expect(follower.get_by_role("button", name="Stop recording")).to_be_visible()

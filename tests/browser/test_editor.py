@@ -119,7 +119,6 @@ def test_a_room_is_drawn_by_touch_saved_and_driven_in(tablet):
     keep("chosen")
     page.get_by_role("button", name="Start trial").tap()
     expect(page.frame_locator("iframe").locator("canvas").first).to_be_visible()
-    page.wait_for_timeout(3000)
     keep("driven")
     reaches_the_goal(page)
 

@@ -99,7 +99,7 @@ def test_without_a_shirt_the_way_to_one_is_in_view_and_the_page_keeps_its_place(
     page.get_by_role("radio", name="Simulated shirt").check(force=True)
     use = page.get_by_role("button", name="Use this")
     expect(use).to_be_in_viewport(ratio=1)
-    side = "Math.round(document.querySelector('[data-card=source]').closest('.stack').getBoundingClientRect().left)"
+    side = "Math.round(document.querySelector('[data-card=source]').getBoundingClientRect().left)"
     before = page.evaluate(side)  # in one step: a card that was looked up before may be drawn anew meanwhile
     use.click()
     card = page.locator("[data-card=source]")

@@ -21,7 +21,7 @@ def test_a_taken_name_is_asked_about(demo, open_page, size):
 
     expect(page.get_by_role("heading", name="Where to?")).to_be_visible()
     page.goto(f"{demo.split('#')[0]}#/shirt")
-    source = page.locator("section.card").filter(has=page.get_by_role("heading", name="Source", exact=True))
+    source = page.locator("section.card[data-card=source]")
     source.locator("summary").first.click()
     source.get_by_text("Replay of a file").click()
     bring(1)

@@ -36,7 +36,7 @@ def drives_to_the_goal(page, keep):
     drives_until(page, 2)
     for view in ("Eye", "Chase", "Top"):
         page.get_by_text(view, exact=True).click()
-        page.wait_for_timeout(1500)
+        page.wait_for_timeout(700)  # two pictures
         keep(f"drive-{view.lower()}")
     reaches_the_goal(page)
 
@@ -60,7 +60,6 @@ def from_the_shirt_to_a_scored_drive(page, keep):
     lamps = page.locator(".bodies .sensor")
     expect(lamps).to_have_count(52)
     lamps.nth(20).click()
-    page.wait_for_timeout(1500)
     keep("shirt")
 
     go_to(page, "controls")
@@ -96,7 +95,6 @@ def from_the_shirt_to_a_scored_drive(page, keep):
 
     go_to(page, "review")
     expect(page.locator(".chart canvas").first).to_be_visible()
-    page.wait_for_timeout(1000)
     keep("review")
 
 

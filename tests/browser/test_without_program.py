@@ -127,7 +127,7 @@ def without_the_program_no_page_shows_a_present_or_offers_what_needs_it(process,
 
     end(process)
     shows_nothing_as_present(driven, "drive-down")
-    for size in each_size(driven, ("768x1024", "390x844")):
+    for size in each_size(driven, ("768x1024", "390x844"), settle=0):
         keep(driven, f"without-program-{size}")
     driven.locator("#stop").dispatch_event("pointerdown")
     expect(driven.get_by_text("Stop did not get through")).to_be_visible()

@@ -1,5 +1,7 @@
 """Gaps of single channels: short and rare ones are bridged for fitting, others are named."""
 
+from functools import cache
+
 import numpy as np
 import pytest
 from calibration.simulated_person import SimulatedPerson, calibrate, layout_of
@@ -11,8 +13,18 @@ from bench.learning.guided_map import FOLDER, Knit
 
 RATE = 100.0
 SHIRT = layout_of()
-FREE = SimulatedPerson(SHIRT, seed=5).free()
-WHOLE = calibrate(SimulatedPerson(SHIRT, seed=5), free=FREE)
+
+
+@cache
+def free_movement():
+    """Return the values of a free movement without gaps."""
+    return SimulatedPerson(SHIRT, seed=5).free()
+
+
+@cache
+def whole_profile():
+    """Return what is fitted to it."""
+    return calibrate(SimulatedPerson(SHIRT, seed=5), free=free_movement())
 
 
 @given(st.lists(st.tuples(st.integers(0, 999), st.integers(1, 60)), max_size=8), st.floats(-5, 5), st.floats(-5, 5))
@@ -39,14 +51,14 @@ def test_short_gaps_become_straight_lines_and_long_ones_stay(gaps, offset, slope
 @settings(max_examples=20, deadline=None)
 @given(st.data())
 def test_a_short_gap_leaves_nothing_out_and_changes_the_weights_little(data):
-    free = FREE.copy()
+    free = free_movement().copy()
     for channel in range(free.shape[1]):
         length = data.draw(st.integers(1, min(20, len(free) // 100)))
         start = data.draw(st.integers(0, len(free) - length))
         free[start : start + length, channel] = np.nan
     holed = calibrate(SimulatedPerson(SHIRT, seed=5), free=free)
     assert holed.left_out == {}
-    for one, other in zip(WHOLE.joints, holed.joints, strict=True):
+    for one, other in zip(whole_profile().joints, holed.joints, strict=True):
         np.testing.assert_allclose(other.direction, one.direction, atol=0.02)
         assert other.span == pytest.approx(one.span, rel=0.02)
 

@@ -20,7 +20,7 @@ def output_of(said):
 def assert_refused(said, *words):
     """Assert that a command ended with code 2 and one sentence on stderr, which has these words."""
     code, out, err = said
-    assert (code, out) == (2, "")
-    assert err.count("\n") == 1
+    assert (code, out) == (2, ""), (words, err)
+    assert err.count("\n") == 1, err
     for word in words:
         assert word in err

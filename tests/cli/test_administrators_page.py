@@ -5,6 +5,7 @@ import shlex
 import shutil
 import subprocess
 import sys
+from functools import cache
 
 import pytest
 from cli.answers import output_of
@@ -73,16 +74,19 @@ def test_a_command_that_does_not_exist_would_be_found(words):
     assert complaint(words)
 
 
+@cache
+def help_of_pip(command):
+    words = [sys.executable, "-m", "pip", command, "--help"]
+    return subprocess.run(words, capture_output=True, text=True, check=True).stdout
+
+
 @pytest.mark.parametrize("words", OTHERS, ids=" ".join)
 def test_a_command_of_the_system_is_there_with_its_options(words):
     name = program(words)
     if name != "pip":
         assert name == "cd" or shutil.which(name)
         return
-    shown = subprocess.run(
-        [sys.executable, "-m", "pip", words[1], "--help"], capture_output=True, text=True, check=True
-    )
-    assert [word for word in words if word.startswith("--") and word not in shown.stdout] == []
+    assert [word for word in words if word.startswith("--") and word not in help_of_pip(words[1])] == []
 
 
 @pytest.mark.parametrize("words", [words for words in OURS if words[0] in {"about", "log"}], ids=" ".join)
@@ -104,5 +108,6 @@ def test_the_files_and_ports_of_the_page_are_those_of_the_program(tmp_path):
     assert written - {settings.state.name} <= set(re.findall(r"`([\w.-]+)/?`", table))
     assert f"TCP {settings.port} of {settings.host}" in text
     assert f"TCP {ports.HTTPS_PORT} of all addresses" in text
-    assert f"shirt {ports.SHIRT_PORT}, head tracker {ports.OPENTRACK_PORT} or {ports.FREEPIE_PORT}," in text
+    assert f"shirt {ports.SHIRT_PORT}, trackers {ports.SLIMEVR_PORT} (" in text
+    assert f"head tracker {ports.OPENTRACK_PORT} or {ports.FREEPIE_PORT}," in text
     assert f"UDP {ports.RECEIVER_PORT}; takes only commands" in text

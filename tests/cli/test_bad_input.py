@@ -46,7 +46,7 @@ def test_every_json_is_one_object(bodydrive, shirt, tmp_path):
         (("score", "trial.csv", "path.csv"), "e_diff"),
         (("floorplan", "import", "hall.yaml", "--out", "hall.json"), "walls"),
         (("floorplan", "list"), "floorplans"),
-        (("study", "--trials", "1", "--floorplan", "corridors", "--path", "main", "--out", "study"), "learning"),
+        (("study", "--trials=1", "--path=corridor", "--jobs=1", "--format=none", "--out=new"), "learning"),
         (("replay", "signals.csv", "--speed", "100", "--to", "127.0.0.1:9"), "frames"),
     ):
         assert key in parsed(bodydrive(*words, "--json")), words[0]
@@ -75,7 +75,7 @@ def test_without_a_word_the_help_is_shown(bodydrive):
         (b"t,right_elbow_0\r0,1\r", "its lines end in carriage returns alone"),
         (b't,"right\rleft"\n', "its lines end in carriage returns alone"),
         (b"t,right_elbow_0", "no row below the header"),
-        ("t,a\n0,1\n".encode("utf-16"), "not in UTF-8"),
+        ("t,a\n0,1\n".encode("utf-16"), "channel right_elbow_0, right_elbow_1"),
         (b"a" * 50_000 + b"\n1\n", "only aaaaaaaaaaaaaaaaaaaaaaaaaaaaaa..., add them"),
         ("t,right_elbow_0\n0,\u0663\n".encode(), "'\u0663' is not a number"),
         (b"t,right_elbow_0\n0,a\x1b[31m\n", "'a [31m' is not a number"),
@@ -229,7 +229,7 @@ def test_without_matplotlib_a_study_says_so_before_it_works_and_goes_without_fig
     bodydrive, tmp_path, monkeypatch, seeds
 ):
     monkeypatch.setitem(sys.modules, "matplotlib", None)  # as if it were not installed
-    asked = ("study", "--out", "study", "--trials", 1, "--seeds", seeds, "--jobs", 1, "--floorplan", "corridors")
+    asked = ("study", "--out", "study", "--trials", 1, "--seeds", seeds, "--jobs", 1, "--path", "corridor")
     with monkeypatch.context() as before:
         before.setattr(study_runs, "run_study", pytest.fail)
         before.setattr(study_runs, "run_seeds", pytest.fail)

@@ -29,7 +29,7 @@ def test_a_file_decodes_to_the_numbers_of_the_chain(tmp_path, capsys):
     (tmp_path / "profile.json").write_text(profile.model_dump_json())
     values = make_signals(make_parameters(), 800)
     t = write_signals(tmp_path / "signals.csv", profile, values)
-    decode(tmp_path / "signals.csv", tmp_path / "profile.json", tmp_path / "out.parquet", None, None, True)
+    decode(tmp_path / "signals.csv", tmp_path / "profile.json", tmp_path / "out.parquet", None, None, as_json=True)
     summary = json.loads(capsys.readouterr().out)
     assert (summary["frames"], summary["source"]["description"]) == (800, "Shirt not recorded, chair not recorded")
     table = pyarrow.parquet.read_table(tmp_path / "out.parquet")
@@ -48,9 +48,9 @@ def test_a_decoded_recording_carries_its_source_in_each_form(tmp_path, capsys):
     (tmp_path / "parameters.json").write_text(parameters.model_dump_json())
     words = "Simulated shirt (simulated person), virtual chair: practice only"
     for name in ("out.parquet", "out.csv"):
-        decode(run, tmp_path / "parameters.json", tmp_path / name, None, None, True)
+        decode(run, tmp_path / "parameters.json", tmp_path / name, None, None, as_json=True)
         assert json.loads(capsys.readouterr().out)["source"] == {**source, "description": words}
-    decode(run, tmp_path / "parameters.json", tmp_path / "out.csv", None, None, False)
+    decode(run, tmp_path / "parameters.json", tmp_path / "out.csv", None, None)
     assert words in capsys.readouterr().out
     table = pyarrow.parquet.read_table(tmp_path / "out.parquet")
     assert table.schema.metadata[b"source"].decode() == words
@@ -63,7 +63,9 @@ def test_dead_zone_and_cutoff_override_all_gestures(tmp_path):
     (tmp_path / "profile.json").write_text(profile.model_dump_json())
     write_signals(tmp_path / "signals.csv", profile, make_signals(make_parameters(), 800))
     for name, dead_zone in (("low", 0.1), ("high", 1.5)):
-        decode(tmp_path / "signals.csv", tmp_path / "profile.json", tmp_path / f"{name}.csv", dead_zone, 5.0, False)
+        decode(
+            tmp_path / "signals.csv", tmp_path / "profile.json", tmp_path / f"{name}.csv", dead_zone, 5.0, as_json=False
+        )
     low, high = (pyarrow.csv.read_csv(tmp_path / f"{name}.csv") for name in ("low", "high"))
     np.testing.assert_allclose(low["right_elbow_rate"], high["right_elbow_rate"])
     rate = low["right_elbow_rate"].to_numpy()
@@ -87,7 +89,7 @@ def test_bad_input_is_one_sentence_and_writes_nothing(tmp_path, profile, out, de
     write_signals(tmp_path / "signals.csv", make_profile(), make_signals(make_parameters(), 300))
     before = sorted(tmp_path.iterdir())
     with pytest.raises(InputError, match=sentence) as refusal:
-        decode(tmp_path / "signals.csv", tmp_path / "profile.json", tmp_path / out, dead_zone, None, False)
+        decode(tmp_path / "signals.csv", tmp_path / "profile.json", tmp_path / out, dead_zone, None)
     assert "\n" not in str(refusal.value)
     assert sorted(tmp_path.iterdir()) == before
 
@@ -101,7 +103,12 @@ def test_a_real_knit_drives_on_the_way_to_the_gesture_and_nowhere_else(tmp_path)
     assert all(joint.evr >= 0.98 for joint in profile.joints)
     (tmp_path / "profile.json").write_text(profile.model_dump_json())
     decode(
-        FOLDER / "signals.csv", tmp_path / "profile.json", tmp_path / "out.parquet", knit.DEAD_ZONE, knit.CUTOFF, False
+        FOLDER / "signals.csv",
+        tmp_path / "profile.json",
+        tmp_path / "out.parquet",
+        knit.DEAD_ZONE,
+        knit.CUTOFF,
+        as_json=False,
     )
     table = pyarrow.parquet.read_table(tmp_path / "out.parquet")
     for joint, rate in rates.items():

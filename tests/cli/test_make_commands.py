@@ -12,11 +12,12 @@ from folders import ROOT
 
 MAKEFILE = (ROOT / "Makefile").read_text()
 OWN = sorted({name for name in re.findall(r"python -m (\S+)", MAKEFILE) if name not in {"pip", "pytest"}})
-# Nothing of this project: each command has to import its own. To load these anew for each command would take seconds.
-OF_OTHERS = (
+# To load these anew for each command would take seconds. Of this project it is the web application alone: each command
+# has to import its own.
+LOADED_ONCE = (
     *("fastapi", "httpx", "hypothesis", "matplotlib.pyplot", "numpy", "playwright.sync_api", "psutil"),
     *("pyarrow.parquet", "pydantic", "pytest", "scipy.signal", "sqlalchemy.orm", "starlette.testclient", "typer"),
-    *("uvicorn", "viser", "websockets.sync.client"),
+    *("uvicorn", "viser", "websockets.sync.client", "app.api.app"),
 )
 # A package is run by its `__main__`; importing that runs nothing.
 IMPORT = """
@@ -48,7 +49,7 @@ print(json.dumps({name: problem_of(name) for name in json.loads(sys.argv[2])}))
 def problems():
     """Return what is wrong with each command, each in a process of its own."""
     environment = {**os.environ, "PYTHONPATH": f"{ROOT / 'tests'}{os.pathsep}{ROOT}"}
-    words = [sys.executable, "-W", "ignore", "-c", IMPORT, json.dumps(OF_OTHERS), json.dumps(OWN)]
+    words = [sys.executable, "-W", "ignore", "-c", IMPORT, json.dumps(LOADED_ONCE), json.dumps(OWN)]
     found = subprocess.run(words, cwd=ROOT, env=environment, capture_output=True, text=True, check=False)
     assert found.returncode == 0, found.stderr
     return json.loads(found.stdout.splitlines()[-1])

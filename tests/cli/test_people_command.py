@@ -84,19 +84,16 @@ def test_disabling_ends_sign_ins_while_the_program_runs(bodydrive, database, tmp
         assert signed_in(db, token) is None
 
 
-@pytest.mark.parametrize(
-    ("words", "sentence"),
-    [
+def test_what_cannot_be_done_is_one_sentence_and_changes_nobody(bodydrive, database):
+    for words, sentence in (
         (["disable", "Ada"], "No other owner than Ada can sign in"),
         (["disable", "Nobody"], "There is nobody called 'Nobody'"),
         (["invite", "Ben", "--role", "king"], "--role king is no role"),
         (["invite", "Ben", "--role", "reviewer", "--patient", "P-9"], "--patient P-9: there is no patient"),
         (["invite", "Ben", "--patient", "P-1"], "Patients are chosen for reviewers only"),
         (["invite", "a\u202eb"], "This name cannot be used"),
-    ],
-)
-def test_what_cannot_be_done_is_one_sentence_and_changes_nobody(bodydrive, database, words, sentence):
-    assert_refused(people(bodydrive, *words), sentence)
+    ):
+        assert_refused(people(bodydrive, *words), sentence)
     with database.transaction() as db:
         assert [(one.name, one.disabled) for one in people_of(db)] == [("Ada", None)]
 

@@ -12,6 +12,9 @@ from PIL import Image
 from app.cli.errors import InputError
 from app.cli.score import FOLLOWING, score_files
 from app.world.floorplan import load_floorplan
+from folders import SHARED
+
+CASES = SHARED / "data" / "cases"
 
 
 @pytest.fixture
@@ -202,8 +205,41 @@ def test_the_right_way_has_them_whether_or_not_it_reaches_the_goal(scored, end):
 
 @pytest.mark.parametrize(
     ("t", "x", "words"),
-    [(T * 1000, X, "give t in seconds, not in milliseconds"), (T, X * 1000, "give x and y in metres")],
+    [
+        (T * 1000, X, "give t in seconds, not in milliseconds"),
+        (np.arange(401) * 1.0, X / 4, "its mean speed is 0.0063 m/s with rows 1 s apart: give t in seconds"),
+        (T, X * 1000, "give x and y in metres"),
+    ],
 )
 def test_times_in_milliseconds_and_places_in_millimetres_are_refused(scored, t, x, words):
     with pytest.raises(InputError, match=words):
         scored(t, x)
+
+
+@pytest.mark.skipif(not CASES.is_dir(), reason="the files of other laboratories are not here")
+def test_the_trajectories_that_were_seen():
+    path = CASES / "score-path.csv"
+    with pytest.raises(InputError, match="give t in seconds"):
+        score_files(CASES / "score-ms.csv", path, 0.5)
+    wrong = score_files(CASES / "score-wrong-way.csv", path, 0.5)
+    assert wrong["reached"] is False
+    assert [wrong[name] for name in FOLLOWING] == [None] * len(FOLLOWING)
+    loops = score_files(CASES / "score-two-loops-opposite.csv", path, 0.5)
+    assert loops["e_diff"] == pytest.approx(0, abs=1e-6)  # as the command says: opposite loops cancel
+    assert loops["dist"] == pytest.approx(10 + 4 * np.pi, abs=0.01)
+
+
+@pytest.mark.parametrize(
+    ("header", "row"),
+    [
+        (",Time (ms),x,y,", "{i},{ms:.0f},{x},0,"),
+        ("timestamp_us;x [m];y [m]", "{us:.0f};{x};0"),
+        ("# seconds\tx\ty", "{s}\t{x}\t0"),
+    ],
+)
+def test_a_trajectory_of_another_program_is_read(tmp_path, header, row):
+    rows = [row.format(i=i, s=t, ms=t * 1e3, us=t * 1e6, x=x) for i, (t, x) in enumerate(zip(T, X, strict=True))]
+    (tmp_path / "driven.csv").write_text("\n".join([header, *rows]) + "\n")
+    (tmp_path / "path.csv").write_text("x,y\n0,0\n10,0\n")
+    measures = score_files(tmp_path / "driven.csv", tmp_path / "path.csv", 0.5)
+    assert (measures["time"], measures["reached"]) == (pytest.approx(20), True)

@@ -53,6 +53,11 @@ async def _ask_oddly(made, value):
     commands = [
         ("shirt", {"kind": "udp", "host": value, "port": 0, "layout": layout}),
         ("shirt", {"kind": "replay", "file": value}),
+        ("shirt", {"kind": "serial", "device": value, "layout": layout}),
+        ("shirt", {"kind": "slimevr", "host": value, "port": 0}),
+        ("shirt", {"kind": "phones", "trunk": value}),
+        ("shirt", {"kind": "bluetooth", "trunk": value}),
+        ("shirt", {"kind": "brainflow", "board": value}),
         ("shirt", {"kind": "udp", "port": 0, "layout": {**layout, "name": value}, "key_file": value}),
         ("body", {"kind": "recorded", "file": value}),
         ("head", {"kind": "opentrack", "host": value, "port": 0}),

@@ -5,11 +5,13 @@ import os
 import subprocess
 import sys
 from collections.abc import Callable
+from itertools import product
 
 import pytest
-from features.without_feature import WHOLE
+from features.without_feature import HIDDEN, WHOLE
 from rules.test_imports import feature_of, imports_of_all
 
+from app.cli.calibration.prior_command import prior_app
 from app.cli.main import COMMANDS, OF_FEATURES
 from app.features import NEEDS
 from app.features.registration import features
@@ -23,7 +25,7 @@ ENDS = ("DELETE /session", "DELETE /patients/1", "POST /deleted-patients/1/erasu
 
 @pytest.fixture(scope="module")
 def answers(tmp_path_factory: pytest.TempPathFactory) -> Callable[[str], dict[str, int]]:
-    """Return a function that returns the status of each answer of a program without a feature."""
+    """Return a function that returns the status of each answer of a program without some features."""
     folder = tmp_path_factory.mktemp("features")
     command = [sys.executable, "-m", "features.without_feature", str(folder)]
     ended = subprocess.run(command, cwd=ROOT, env=ENVIRONMENT, check=False, capture_output=True, text=True)
@@ -49,20 +51,33 @@ def test_the_program_answers_while_all_features_are_there(with_all: dict[str, in
     assert set(pages) == {200}
 
 
-@pytest.mark.parametrize("name", NEEDS)
-def test_the_program_runs_without_a_feature(
-    name: str, with_all: dict[str, int], answers: Callable[[str], dict[str, int]]
+def test_each_feature_is_hidden_while_each_other_one_that_does_not_need_it_is_there() -> None:
+    left_out = [{name for name, needs in NEEDS.items() if {name, *needs} & set(hidden)} for hidden in HIDDEN]
+    apart = {(one, other) for names in left_out for one, other in product(names, NEEDS.keys() - names)}
+    assert apart == {(one, other) for one, other in product(NEEDS, NEEDS) if one not in {other, *NEEDS[other]}}
+
+
+@pytest.mark.parametrize("number", range(len(HIDDEN)))
+def test_the_program_runs_without_some_features(
+    number: int, with_all: dict[str, int], answers: Callable[[str], dict[str, int]]
 ) -> None:
-    without = answers(name)
-    if name == "backup":  # the page of backups is where an owner erases now; who is due is erased without it, too
+    without = answers(str(number))
+    if "backup" in HIDDEN[number]:  # its page is where an owner erases now; who is due is erased without it, too
         del without[ENDS[2]]
-    refused = {409} if name == "consents" else set()  # nobody has consented to anything
+    refused = {409} if "consents" in HIDDEN[number] else set()  # nobody has consented to anything
     assert {
         request: (status, with_all[request])
         for request, status in without.items()
         if status not in {with_all[request], *refused}
     } == {}
-    gone = with_all.keys() - without.keys()
+
+
+@pytest.mark.parametrize("name", NEEDS)
+def test_the_routes_of_a_feature_go_with_it(
+    name: str, with_all: dict[str, int], answers: Callable[[str], dict[str, int]]
+) -> None:
+    runs = [answers(str(number)) for number, hidden in enumerate(HIDDEN) if name in hidden]
+    gone = with_all.keys() - {request for run in runs for request in run}
     assert bool(gone) == any(one.routes for other, one in features().items() if name in {other, *NEEDS[other]})
 
 
@@ -72,14 +87,13 @@ def test_a_command_that_imports_a_feature_goes_with_it() -> None:
     assert OF_FEATURES.keys() <= COMMANDS.keys()
 
 
-@pytest.mark.parametrize(("hidden", "added"), [("", {"export", "import"}), ("prior", set())])
-def test_the_command_of_priors_adds_those_of_the_clinic_with_the_feature(hidden: str, added: set[str]) -> None:
-    code = f"""if True:
+def test_the_command_of_priors_adds_those_of_the_clinic_with_the_feature() -> None:
+    code = """if True:
         from features.without_feature import hide
-        if {hidden!r}:
-            hide({hidden!r})
+        hide("prior")
         from app.cli.calibration.prior_command import prior_app
         print(*(command.name for command in prior_app.registered_commands))
     """
-    names = subprocess.run([sys.executable, "-c", code], env=ENVIRONMENT, check=True, capture_output=True, text=True)
-    assert {"export", "import"} & set(names.stdout.split()) == added
+    ended = subprocess.run([sys.executable, "-c", code], env=ENVIRONMENT, check=True, capture_output=True, text=True)
+    without = set(ended.stdout.split())
+    assert {str(command.name) for command in prior_app.registered_commands} - without == {"export", "import"}

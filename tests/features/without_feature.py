@@ -1,8 +1,8 @@
-"""`python -m features.without_feature FOLDER`: run the program as it is, then without each of its features.
+"""`python -m features.without_feature FOLDER`: run the program as it is, then without some of its features.
 
-Without a feature: as if its folder and its line were gone. Writes `whole.json` and one file for each feature, with the
-status of each answer: of every page, and of every route that reads, asked about a patient who was calibrated and has
-driven a trial; then of the end of the session and the erasure of the patient.
+Without a feature: as if its folder and its line were gone. Writes `whole.json`, and a file for each set of features in
+HIDDEN, with the status of each answer: of every page, and of every route that reads, asked about a patient who was
+calibrated and has driven a trial; then of the end of the session and the erasure of the patient.
 
 All but the features is imported once, while no feature can be found: nothing outside of them needs one to be imported.
 So are the pages, places and words read, which are the same in each run. Each run is a fork of the process that imported
@@ -25,6 +25,16 @@ from app import features
 # What the features, and the program, import late, of others.
 LATE = ("anyio._backends._asyncio", "attr", "matplotlib.figure", "pyarrow.parquet", "scipy.signal", "tarfile")
 WHOLE = "whole"
+HIDDEN = (
+    ("records", "sharing", "reports", "consents", "interface_tests"),
+    ("records", "comments", "archive"),
+    ("sharing", "exports", "backup", "prior"),
+    ("reports", "exports", "log"),
+    ("consents", "comments", "backup"),
+    ("interface_tests", "archive", "log", "prior"),
+)
+"""The features that are hidden in each run. Each stands in two runs, and no two features in the same two: so each is
+hidden while each other one that does not need it is there, in half as many runs as there are features."""
 
 
 class WithoutFolders(MetaPathFinder):
@@ -38,10 +48,10 @@ class WithoutFolders(MetaPathFinder):
             raise ModuleNotFoundError(f"No module named '{name}'", name=name)
 
 
-def hide(name: str) -> None:
-    """Take a feature out of the program: its line, and its folder."""
-    features.NEEDS = {each: needs for each, needs in features.NEEDS.items() if each != name}  # type: ignore[misc]
-    sys.meta_path.insert(0, WithoutFolders([name]))
+def hide(*names: str) -> None:
+    """Take features out of the program: their lines, and their folders."""
+    features.NEEDS = {each: needs for each, needs in features.NEEDS.items() if each not in names}  # type: ignore[misc]
+    sys.meta_path.insert(0, WithoutFolders(names))
 
 
 def import_all_but_features() -> None:
@@ -119,15 +129,14 @@ def answers(folder: Path) -> dict[str, int]:
     return found
 
 
-def answer_apart(folder: Path, name: str) -> None:
-    """Write the answers of a program without a feature, or what went wrong, from a process of its own."""
+def answer_apart(folder: Path, name: str, hidden: tuple[str, ...]) -> None:
+    """Write the answers of a program without these features, or what went wrong, from a process of its own."""
     child = os.fork()
     if child != 0:
         os.waitpid(child, 0)
         return
     try:
-        if name != WHOLE:
-            hide(name)
+        hide(*hidden)
         (folder / f"{name}.json").write_text(json.dumps(answers(folder / name)))
     except BaseException:
         (folder / f"{name}.json").write_text(json.dumps(traceback.format_exc()))
@@ -138,5 +147,6 @@ def answer_apart(folder: Path, name: str) -> None:
 if __name__ == "__main__":
     import_all_but_features()
     gc.freeze()  # a fork need not look through what all share
-    for each in (WHOLE, *features.NEEDS):
-        answer_apart(Path(sys.argv[1]), each)
+    answer_apart(Path(sys.argv[1]), WHOLE, ())
+    for number, each in enumerate(HIDDEN):
+        answer_apart(Path(sys.argv[1]), str(number), each)

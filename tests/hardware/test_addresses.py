@@ -6,7 +6,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 from pydantic import TypeAdapter
 
-from app.hardware.addresses import FilePlace, checked_host, checked_line
+from app.hardware.addresses import FilePlace, checked_cable, checked_host, checked_line
 
 HOSTS = [
     *("localhost", "chair.local", "a_b", "xn--mnchen-3ya.de", "a" * 63, "10.0.0.7"),
@@ -47,6 +47,10 @@ def test_serial_lines_and_files():
     for other in ("/dev/zero", "/dev/watchdog", "/dev/ttyS0/../zero", "/dev/tty\n", "ttyUSB0", "loop://", "COM1000"):
         with pytest.raises(ValueError, match="is no serial line"):
             checked_line(other)
+    assert checked_cable("/dev/ttyACM0") == "/dev/ttyACM0"
+    for radio in ("/dev/rfcomm0", "/dev/cu.Bluetooth-Incoming-Port"):
+        with pytest.raises(ValueError, match="is a radio link"):
+            checked_cable(checked_line(radio))
     file = TypeAdapter(FilePlace)
     assert file.validate_python("var/runs/größe 1.csv") == "var/runs/größe 1.csv"
     for other in ("a\0b", "a\nb", "a\u202eb", "\ud800"):

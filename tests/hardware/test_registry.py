@@ -21,7 +21,9 @@ from app.hardware.registry import (
     parse_chair,
     parse_shirt,
 )
-from app.hardware.shirt.kind import NO_KEY, NOBODY_PROVES_IT, NOBODY_WEARS_IT, ShirtKind, Trust
+from app.hardware.shirt import kind as shirt_kind
+from app.hardware.shirt.kind import NO_CABLE, NO_KEY, NOBODY_PROVES_IT, NOBODY_WEARS_IT, ShirtKind, Trust
+from app.hardware.shirt.orientation_sensors.body_parts import layout_of
 from app.hardware.shirt.replay import ReplayConfig
 from app.hardware.shirt.simulator import SimulatorConfig
 from app.hardware.shirt.udp import UdpConfig, UdpShirt
@@ -54,28 +56,54 @@ def test_each_reason_for_having_no_driver_has_its_own_sentence(tmp_path, monkeyp
     assert all("\n" not in sentence for sentence in sentences)
 
 
-def test_every_source_of_frames_declares_whether_it_may_arm_a_real_chair():
+def test_every_source_of_frames_declares_whether_it_may_arm_a_real_chair(monkeypatch):
     """Safety S29: whoever adds a kind of shirt, or changes its trust, changes this table."""
+    monkeypatch.setattr(shirt_kind, "is_cable", lambda line: line == "/dev/ttyACM0")
     assert {kind.name: (kind.trust, kind.simulated) for kind in SHIRTS.values()} == {
         "simulator": (Trust.NEVER, True),
-        "replay": (Trust.NEVER, True),
+        "camera": (Trust.NEVER, False),
+        "phones": (Trust.NEVER, False),
+        "slimevr": (Trust.NEVER, False),
+        "bluetooth": (Trust.NEVER, False),
+        "serial": (Trust.WIRED, False),
+        "brainflow": (Trust.NEVER, False),
+        "lsl": (Trust.NEVER, False),
         "udp": (Trust.WITH_KEY, False),
+        "replay": (Trust.NEVER, True),
     }
     udp = {"kind": "udp", "layout": small_layout().model_dump(mode="json")}
     for document, why in (
         ({"kind": "simulator"}, NOBODY_WEARS_IT),
-        ({"kind": "replay", "file": "a"}, NOBODY_WEARS_IT),
+        ({"kind": "camera"}, NOBODY_PROVES_IT),
+        ({"kind": "phones"}, NOBODY_PROVES_IT),
+        ({"kind": "slimevr"}, NOBODY_PROVES_IT),
+        ({"kind": "bluetooth"}, NOBODY_PROVES_IT),
+        ({"kind": "serial"}, None),
+        ({"kind": "brainflow", "serial_port": "/dev/ttyUSB0"}, NOBODY_PROVES_IT),  # the dongle of a radio, mostly
+        ({"kind": "serial", "device": "/dev/pts/3"}, NO_CABLE),
+        ({"kind": "lsl"}, NOBODY_PROVES_IT),
         (udp, NO_KEY),
         ({**udp, "key_file": "shirt-1.key"}, None),
+        ({"kind": "replay", "file": "a"}, NOBODY_WEARS_IT),
     ):
         assert SHIRTS[document["kind"]].mistrust(parse_shirt(document)) == why
     assert "bodydrive shirt pair" in str(NO_KEY)
 
 
+@pytest.mark.parametrize("kind", ["udp", "serial", "lsl"])
+def test_no_layout_that_people_bring_says_that_a_sensor_may_stay_constant(kind):
+    """Safety S5: only a driver that misses its sensors may say so."""
+    layout = layout_of("trackers", ["trunk"])
+    assert all(layout.may_stay_constant)
+    config = parse_shirt({"kind": kind, "layout": layout.model_dump(mode="json")})
+    assert config.layout.may_stay_constant == [False] * 3
+    assert config.layout.channel_names == layout.channel_names
+
+
 def test_a_source_that_declares_nothing_arms_no_real_chair():
     kind = ShirtKind(UdpConfig, UdpShirt)
     assert kind.mistrust(UdpConfig(kind="udp", key_file="shirt-1.key")) == NOBODY_PROVES_IT
-    assert ShirtKind(UdpConfig, UdpShirt, Trust.WIRED).mistrust(UdpConfig(kind="udp")) is None
+    assert ShirtKind(UdpConfig, UdpShirt, Trust.WIRED).mistrust(UdpConfig(kind="udp")) == NO_CABLE
 
 
 def test_a_missing_file_is_a_sentence_of_its_own(tmp_path):
@@ -94,6 +122,8 @@ def test_the_documents_of_the_protocol_are_understood():
     udp = {"kind": "udp", "host": "127.0.0.1", "port": 5252, "layout": layout, "sample_rate": 100}
     assert parse_shirt(udp).layout == small_layout()
     assert len(parse_shirt({"kind": "udp"}).layout.channels) == 52  # the standard shirt's
+    wired = parse_shirt({"kind": "serial", "device": "/dev/ttyUSB0", "baud": 2_000_000, "format": "lines"})
+    assert (wired.device, wired.sample_rate, len(wired.layout.channels)) == ("/dev/ttyUSB0", 100.0, 52)
     assert parse_body({"kind": "person", "skill": "novice", "seed": 1}) == PersonConfig(kind="person", skill="novice")
     assert parse_body({"kind": "visitor"}) == VisitorConfig(kind="visitor")
     assert parse_body({"kind": "recorded", "file": "body.csv"}).file == "body.csv"
@@ -107,14 +137,18 @@ def test_the_documents_of_the_protocol_are_understood():
 @pytest.mark.parametrize(
     ("document", "words"),
     [
-        (None, 'needs a "kind": give one of simulator, replay, udp'),
+        (None, f'needs a "kind": give one of {", ".join(SHIRTS)}'),
         ({}, 'needs a "kind"'),
-        ({"kind": "silk"}, "no shirt of the kind 'silk': use one of simulator, replay, udp"),
+        ({"kind": "silk"}, f"no shirt of the kind 'silk': use one of {', '.join(SHIRTS)}"),
         ({"kind": "simulator", "sample_rate": float("nan")}, "sample_rate"),
         ({"kind": "simulator", "sample_rate": 1}, "sample_rate"),
         ({"kind": "simulator", "sample_rate": "100"}, "sample_rate"),
         ({"kind": "simulator", "colour": "red"}, "colour"),
         ({"kind": "replay"}, "file"),
+        ({"kind": "serial", "device": "/dev/zero"}, "device"),
+        ({"kind": "serial", "baud": 9600}, "baud"),
+        ({"kind": "serial", "baud": True}, "baud"),
+        ({"kind": "serial", "format": "cobs"}, "format"),
         ({"kind": "udp", "port": 70_000, "layout": small_layout().model_dump()}, "port"),
         ({"kind": "udp", "host": "a host", "layout": small_layout().model_dump()}, "host"),
         ({"kind": "udp", "layout": None}, "layout"),

@@ -48,6 +48,23 @@ def test_a_channel_that_stands_still_for_200_ms_is_bad_until_it_moves_again():
     assert bad_at == [14, 15, 16, 17, 18, 19]  # 4 periods of 50 ms after it stopped
 
 
+def test_a_channel_whose_driver_watches_its_sensor_may_be_constant_until_the_driver_misses_it():
+    """Safety S5: a tracker sends no orientation that has not changed."""
+    profile = make_profile(CHANNELS).model_copy(update={"noise": (1.0,) * CHANNELS})
+    channels = list(profile.layout.channels)
+    channels[5] = channels[5].model_copy(update={"liveness": "arrival"})
+    profile = profile.model_copy(update={"layout": profile.layout.model_copy(update={"channels": tuple(channels)})})
+    frames = trembling(200)
+    frames[20:, 3] = frames[50:, 5] = 0.25
+    frames[180:, 5] = np.nan
+    watch, whole = ChannelHealth(profile, EVERY, 100.0), ChannelHealth(profile, EVERY, 100.0)
+    one_by_one = [watch.step(frame.copy()) for frame in frames]
+    bad = np.array([np.zeros(CHANNELS, dtype=bool) if bad is None else bad for bad in one_by_one])
+    assert np.flatnonzero(bad.any(axis=0)).tolist() == [3, 5]
+    assert np.flatnonzero(bad[:, 5]).tolist() == list(range(180, 200))
+    np.testing.assert_array_equal(whole.block(frames, None), bad)
+
+
 def test_channels_that_nobody_reads_may_do_what_they_like():
     watched = EVERY.copy()
     watched[2] = False

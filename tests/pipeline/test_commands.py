@@ -7,7 +7,9 @@ from types import SimpleNamespace
 
 import numpy as np
 import pytest
+from hardware.shirt.camera_page import CHANNELS, message_of
 
+from app.arrivals import arrivals_from
 from app.calibration.vocabulary import Binding
 from app.disk_room import ROOM_TO_RECORD
 from app.faults import Fault, State
@@ -230,6 +232,27 @@ def test_a_head_tracker_is_chosen_asked_and_given_back(control, tmp_path):
     assert "is armed" in control.refused("head", config=None)
 
 
+def test_the_camera_takes_samples_which_any_other_shirt_refuses(control):
+    message = message_of(0, 1.0, 1.02, np.linspace(0.0, 1.0, CHANNELS, dtype=np.float32))
+    sample = {"page": 1, "message": message.hex(), "received": control.clock.now()}
+    assert "The camera is not the shirt in use" in control.refused("sample", **sample)
+    control.done("shirt", config={"kind": "camera"})
+    control.notify("sample", **sample)
+    for wrong in ({"message": "0"}, {"message": "zz"}, {"message": "00" * 513}, {"received": math.inf}, {"page": -1}):
+        assert control.refused("sample", **sample | wrong)
+    frame = control.setup.shirt.read(0.1)
+    np.testing.assert_allclose(frame.values, np.linspace(0.0, 1.0, CHANNELS), atol=1e-6)
+
+
+def test_controls_of_sensors_that_may_stay_constant_drive_no_shirt_whose_sensors_have_to_tremble(control):
+    """Safety S5: with them, a broken line of that shirt would not be found."""
+    profile = control.parameters.profile
+    channels = tuple(channel.model_copy(update={"liveness": "arrival"}) for channel in profile.layout.channels)
+    layout = profile.layout.model_copy(update={"channels": channels})
+    others = control.parameters.model_copy(update={"profile": profile.model_copy(update={"layout": layout})})
+    assert "a shirt with other sensors" in control.refused("parameters", parameters=others.model_dump(mode="json"))
+
+
 def network_shirt(control, **more):
     """Choose a shirt over the network, and return the control's device that sends to it."""
     layout = control.parameters.profile.layout
@@ -259,6 +282,14 @@ def test_another_sender_is_named_and_taken_only_while_disarmed(control):
         assert "look at the Shirt page" in control.refused("sender", sender="127.0.0.1:1")
         control.done("sender", sender=name)
         assert control.done("status")["shirt"]["senders"] == {"shirt": name, "other": "", "others": 0}
+    control.setup.close()
+
+
+def test_the_status_says_what_arrives_where_the_shirt_says_it(control):
+    assert control.done("status")["shirt"]["arrivals"] is None
+    network_shirt(control)
+    arrivals = arrivals_from(control.done("status")["shirt"]["arrivals"])
+    assert (arrivals.verdict, str(arrivals.message)) == ("waiting", "Waiting for signals.")
     control.setup.close()
 
 

@@ -6,7 +6,6 @@ import numpy as np
 import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
-from scipy.signal import butter, lfilter
 
 from app.calibration.features import features
 from app.calibration.linear_map import AVERAGING_TIMES, LinearMap
@@ -50,6 +49,13 @@ def prior_parameters(joints=(0, 1, 2, 3), guided=(), **changes):
             people=8,
         ).model_dump(mode="json")
     return DriveParameters.model_validate(document)
+
+
+@pytest.mark.parametrize("sample_rate", [10.0, 33.3, 1000.0])
+def test_a_gap_counts_in_whole_periods_up_to_a_second_however_long_it_is(sample_rate):
+    assert [periods_between(n / sample_rate, sample_rate) for n in (0.2, 1.4, 1.6, 7.0)] == [1.0, 1.0, 2.0, 7.0]
+    for gap in (1.1, 5.0, 1e12, 1e308):
+        assert periods_between(gap, sample_rate) == pytest.approx(sample_rate)
 
 
 def stream(parameters, device, values):
@@ -109,6 +115,8 @@ def test_a_prior_map_decodes_the_features_that_it_was_learnt_from(rate):
 
 
 def test_the_rate_is_what_the_definition_says():
+    from scipy.signal import butter, lfilter
+
     parameters = guided_parameters((1,))
     values = make_signals(parameters, 3000)
     rate, activation = assert_alike(parameters, np.arange(3000) / 100, values)

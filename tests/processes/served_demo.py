@@ -95,11 +95,11 @@ class SessionClient(httpx.Client):
         return super().request(method, url, **more)
 
 
-class Served:
-    """A running program and a client of it."""
+class ProgramClient:
+    """A client of a running program."""
 
-    def __init__(self, process: "subprocess.Popen[str]", base: str) -> None:
-        self.process, self.base = process, base
+    def __init__(self, base: str) -> None:
+        self.base = base
         self.client = SessionClient(base)
 
     def socket(self, name: str) -> ClientConnection:
@@ -111,6 +111,14 @@ class Served:
         return connect(
             address, additional_headers=headers, origin=Origin(self.base), ping_interval=None, max_queue=None
         )
+
+
+class Served(ProgramClient):
+    """A running program and a client of it."""
+
+    def __init__(self, process: "subprocess.Popen[str]", base: str) -> None:
+        super().__init__(base)
+        self.process = process
 
     def control_process(self) -> psutil.Process:
         children = psutil.Process(self.process.pid).children(recursive=True)

@@ -9,6 +9,7 @@ from contextlib import contextmanager
 from pathlib import Path
 
 import pytest
+from api.one_hop import OneHop
 from odd_values import odd_values
 from processes.running_control import SIMULATED, refusal, running, tick_with
 
@@ -28,6 +29,7 @@ with warnings.catch_warnings():
     warnings.simplefilter("ignore")
     from starlette.testclient import TestClient
 
+HERE = Path(__file__).parent
 BASE = "http://127.0.0.1:8080"
 LAYOUT = make_layout(4).model_dump(mode="json")
 MOST = 300  # letters of a sentence
@@ -36,6 +38,10 @@ ROWS = "t,right_elbow_1\n" + "".join(f"{i / 100},{i}\n" for i in range(20))
 
 def shirt(**fields):
     return "PUT", "/equipment/shirt", {"kind": "udp", "port": 0, "layout": LAYOUT, **fields}
+
+
+def other_shirt(kind, **fields):
+    return "PUT", "/equipment/shirt", {"kind": kind, **fields}
 
 
 def layout(**fields):
@@ -53,7 +59,30 @@ def first(things, **fields):
 FIELDS = {
     "shirt's host": lambda text: shirt(host=text),
     "shirt's port": lambda text: shirt(port=text),
-    "shirt's file": lambda text: ("PUT", "/equipment/shirt", {"kind": "replay", "file": text}),
+    "shirt's file": lambda text: other_shirt("replay", file=text),
+    "camera's rate": lambda text: other_shirt("camera", sample_rate=text),
+    "phone": lambda text: other_shirt("phones", trunk=text),
+    "trackers' host": lambda text: other_shirt("slimevr", host=text, port=0),
+    "trackers' port": lambda text: other_shirt("slimevr", port=text),
+    "tracker": lambda text: other_shirt("slimevr", port=0, head=text),
+    "shirt's serial line": lambda text: other_shirt("serial", device=text),
+    "serial line's baud rate": lambda text: other_shirt("serial", baud=text),
+    "serial line's format": lambda text: other_shirt("serial", format=text),
+    "Bluetooth sensor": lambda text: other_shirt("bluetooth", trunk=text),
+    "Bluetooth sensors' rate": lambda text: other_shirt("bluetooth", sample_rate=text),
+    "board": lambda text: other_shirt("brainflow", board=text),
+    "board's data": lambda text: other_shirt("brainflow", data=text),
+    "board's stream": lambda text: other_shirt("brainflow", preset=text),
+    "board's serial line": lambda text: other_shirt("brainflow", serial_port=text),
+    "board's MAC address": lambda text: other_shirt("brainflow", mac_address=text),
+    "board's IP address": lambda text: other_shirt("brainflow", ip_address=text),
+    "board's port": lambda text: other_shirt("brainflow", ip_port=text),
+    "board's serial number": lambda text: other_shirt("brainflow", serial_number=text),
+    "board's other details": lambda text: other_shirt("brainflow", other_info=text),
+    "stream's name": lambda text: other_shirt("lsl", name=text),
+    "stream's source": lambda text: other_shirt("lsl", source_id=text),
+    "stream's type": lambda text: other_shirt("lsl", type=text),
+    "stream's computer": lambda text: other_shirt("lsl", host=text),
     "shirt's kind": lambda text: shirt(kind=text),
     "layout's name": lambda text: layout(name=text),
     "channel's name": lambda text: layout(channels=first(LAYOUT["channels"], name=text)),
@@ -85,10 +114,18 @@ def clinic(folder):
         return processes[-1]
 
     app = create_app(settings, start_process, ComputingProcess())
-    with TestClient(app, base_url=BASE, raise_server_exceptions=False, client=("127.0.0.1", 50_000)) as client:
+    browser = ("127.0.0.1", 50_000)
+    with TestClient(app, base_url=BASE, raise_server_exceptions=False, client=browser) as client:
+        loop = client.portal.call(asyncio.get_running_loop)
+        client._transport = OneHop(app, loop, browser, client._transport)
         client.headers["Origin"] = BASE
         assert client.post("/api/v1/auth/demo", json={"code": "the-code-of-the-link"}).status_code == 200
         yield client, processes
+
+
+def import_from(folder, monkeypatch):
+    """Let the processes that are started import modules of a folder first."""
+    monkeypatch.setenv("PYTHONPATH", f"{folder}{os.pathsep}{os.environ.get('PYTHONPATH', '')}")
 
 
 def put_files(folder: Path):
@@ -128,8 +165,9 @@ def is_visible(sentence):
 
 
 @pytest.mark.parametrize("step", [5, pytest.param(1, marks=pytest.mark.long)], ids=["40 of 200", "all 200"])
-def test_odd_values_in_every_field_of_the_equipment_are_taken_or_refused_in_a_sentence(tmp_path, step):
+def test_odd_values_in_every_field_of_the_equipment_are_taken_or_refused_in_a_sentence(tmp_path, monkeypatch, step):
     put_files(tmp_path / "files")
+    import_from(HERE / "no_device", monkeypatch)
     with clinic(tmp_path) as (client, processes):
         for number, (name, request) in enumerate(FIELDS.items()):
             values = odd_values()[number % step :: step]
@@ -167,9 +205,7 @@ def test_200_odd_addresses_of_a_chair_are_taken_or_refused_in_a_sentence(tmp_pat
 )
 @in_event_loop
 async def test_a_name_that_takes_5_s_to_resolve_holds_nothing_up(monkeypatch, do, config):
-    slow = Path(__file__).parent / "slow_names"
-    monkeypatch.setenv("PYTHONPATH", f"{slow}{os.pathsep}{os.environ.get('PYTHONPATH', '')}")
-
+    import_from(HERE / "slow_names", monkeypatch)
     async with running(screen=None) as control:
         await tick_with(control, lambda _tick: True)
         begun = int(control.newest()["number"])

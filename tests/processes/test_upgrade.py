@@ -1,4 +1,4 @@
-"""Upgrade and roll back, with real wheels: that of this tree, and one with a further migration."""
+"""Upgrade and roll back, with the installed wheel of this tree, and with one of a program with a further migration."""
 
 import os
 import re
@@ -21,7 +21,6 @@ from folders import ROOT
 
 PAGE = ROOT / "docs" / "administrators.md"
 STATE_OF_PAGE = "/var/lib/bodydrive"
-NO_SOURCE = shutil.ignore_patterns(".*", "node_modules", "__pycache__", "tests", "var")
 
 
 def run(*words: str | Path, **more: Any) -> str:
@@ -31,23 +30,13 @@ def run(*words: str | Path, **more: Any) -> str:
 
 
 class Installed:
-    """A wheel of bodydrive, plain Python, built of a folder and installed into another one."""
+    """A wheel of bodydrive that is installed into `packages`."""
 
-    def __init__(self, source: Path, folder: Path) -> None:
-        self._folder = folder
-        built = folder / "wheel"
-        run(
-            *(sys.executable, "-m", "hatchling", "build", "--target", "wheel", "--directory", built),
-            cwd=source,
-            env={**os.environ, "BODYDRIVE_COMPILE": "no"},
-        )
-        (wheel,) = built.glob("bodydrive-*-py3-none-any.whl")
-        self._packages = folder / "packages"
-        pip = (sys.executable, "-m", "pip", "install", "--quiet", "--disable-pip-version-check")
-        run(*pip, "--no-deps", "--no-index", "--no-compile", "--target", self._packages, wheel)
-        self._environment = {**os.environ, "PYTHONPATH": str(self._packages)}
+    def __init__(self, packages: Path) -> None:
+        self.packages, self._folder = packages, packages.parent
+        self._environment = {**os.environ, "PYTHONPATH": str(packages)}
         place = self.python("import app; print(app.__file__)").strip()
-        assert Path(place).is_relative_to(self._packages), place
+        assert Path(place).is_relative_to(packages), place
 
     def python(self, code: str, *words: str | Path) -> str:
         """Run Python code with this wheel, and return what it prints."""
@@ -80,21 +69,31 @@ class Installed:
             process.communicate()
 
 
-@pytest.fixture(scope="module")
-def old(tmp_path_factory: pytest.TempPathFactory) -> Installed:
-    return Installed(ROOT, tmp_path_factory.mktemp("old"))
+@pytest.fixture
+def old(tmp_path: Path) -> Installed:
+    """Build the wheel of this tree, plain Python, and install it."""
+    folder = tmp_path / "old"
+    folder.mkdir()
+    build = (sys.executable, "-m", "hatchling", "build", "--target", "wheel", "--directory", folder / "wheel")
+    run(*build, cwd=ROOT, env={**os.environ, "BODYDRIVE_COMPILE": "no"})
+    (wheel,) = (folder / "wheel").glob("bodydrive-*-py3-none-any.whl")
+    pip = (sys.executable, "-m", "pip", "install", "--quiet", "--disable-pip-version-check")
+    run(*pip, "--no-deps", "--no-index", "--no-compile", "--target", folder / "packages", wheel)
+    return Installed(folder / "packages")
 
 
-@pytest.fixture(scope="module")
-def new(tmp_path_factory: pytest.TempPathFactory) -> Installed:
-    folder = tmp_path_factory.mktemp("new")
-    source = Path(shutil.copytree(ROOT, folder / "source", ignore=NO_SOURCE))
-    add_later_migration(source / "app" / "store" / "migrations")
-    schema = source / "app" / "store" / "schema.py"
+def later_program(old: Installed, folder: Path) -> Installed:
+    """Install into `folder` what a later wheel would hold: the same, and a further migration.
+
+    What Python has compiled of it comes along.
+    """
+    packages = Path(shutil.copytree(old.packages, folder / "packages"))
+    add_later_migration(packages / "app" / "store" / "migrations")
+    schema = packages / "app" / "store" / "schema.py"
     code, newest = schema.read_text(encoding="utf-8"), f'NEWEST = "{NEWEST}"'
     assert newest in code
     schema.write_text(code.replace(newest, f'NEWEST = "{LATER}"'), encoding="utf-8")
-    return Installed(source, folder)
+    return Installed(packages)
 
 
 def add_patient(client: SessionClient, code: str) -> None:
@@ -119,13 +118,14 @@ def roll_back_as_the_page_says(state: Path, copy: Path) -> None:
     run("sh", "-e", "-c", commands.replace(STATE_OF_PAGE, str(state)).replace(name, copy.name))
 
 
-def test_a_clinic_is_upgraded_and_rolled_back(old: Installed, new: Installed, tmp_path: Path) -> None:
+def test_a_clinic_is_upgraded_and_rolled_back(old: Installed, tmp_path: Path) -> None:
     state = tmp_path / "clinic"
     database = state / "bodydrive.sqlite"
     with old.serving(state) as client:
         add_patient(client, "before")
     assert schema_of(database) == NEWEST
 
+    new = later_program(old, tmp_path / "new")
     with new.serving(state) as client:
         assert patients(client) == {"before"}
         add_patient(client, "after")

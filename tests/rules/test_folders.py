@@ -1,6 +1,6 @@
 """The rules for folders and files: one subject each, few enough to be seen at once, named once."""
 
-import ast
+import re
 import subprocess
 from collections import defaultdict
 from pathlib import PurePosixPath
@@ -90,7 +90,6 @@ def test_a_class_name_has_one_meaning() -> None:
     """Who reads a name knows which class is meant."""
     places: dict[str, list[str]] = defaultdict(list)
     for file in (ROOT / "app").rglob("*.py"):
-        for node in ast.walk(ast.parse(file.read_text())):
-            if isinstance(node, ast.ClassDef):
-                places[node.name].append(str(file.relative_to(ROOT)))
+        for name in re.findall(r"^ *class (\w+)[(:\[]", file.read_text(encoding="utf-8"), re.MULTILINE):
+            places[name].append(str(file.relative_to(ROOT)))
     assert {name: files for name, files in places.items() if len(files) > 1} == {}

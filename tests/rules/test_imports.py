@@ -64,7 +64,16 @@ MAY_IMPORT = {
     "host": (LEAVES,),
     "scene": (LEAVES, "world"),
     "api": (
-        *(LEAVES, "process", "signals.csv_dialect", "signals.parquet_names", "world", "calibration", "scoring"),
+        *(
+            LEAVES,
+            "process",
+            "signals.parquet_names",
+            "signals.table_form",
+            "signals.time_names",
+            "world",
+            "calibration",
+            "scoring",
+        ),
         *("recording.recorded_trajectory", "store", "session", "host", "scene"),
         *("hardware.configs", "hardware.addresses", "hardware.chair.key", "hardware.shirt.kind", REGISTRATION),
     ),
@@ -99,6 +108,9 @@ HOME = {
     "cryptography": {"host", "features"},
     "pyrage": {"features"},
     "psutil": {"host"},
+    "pylsl": {LEAVES},
+    "brainflow": {"hardware"},
+    "bleak": {"hardware"},
     "typst": {"features"},
 }
 
@@ -115,10 +127,20 @@ def package_of(module: str) -> str:
     return parts[1] if len(parts) > 1 and (ROOT / "app" / parts[1]).is_dir() else LEAVES
 
 
+def statements(tree: ast.Module) -> Iterator[ast.AST]:
+    """Yield all statements of a module, also those within others; their expressions are far more."""
+    waiting: list[ast.AST] = [tree]
+    while waiting:
+        node = waiting.pop()
+        yield node
+        for parts in ("body", "orelse", "handlers", "finalbody", "cases"):
+            waiting += getattr(node, parts, ())
+
+
 def imports_of(file: Path) -> set[str]:
     """Return the modules that a file names, also those inside functions."""
     found: set[str] = set()
-    for node in ast.walk(ast.parse(file.read_text())):
+    for node in statements(ast.parse(file.read_text())):
         if isinstance(node, ast.Import):
             found.update(name.name for name in node.names)
         elif isinstance(node, ast.ImportFrom) and node.module:

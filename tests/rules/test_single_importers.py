@@ -4,7 +4,7 @@ Features are read by the names of their parts, commands, drivers and child proce
 are imported from elsewhere, and count as that.
 """
 
-import ast
+import re
 from collections import defaultdict
 from functools import cache
 
@@ -26,6 +26,11 @@ EXCEPTIONS: dict[str, tuple[str, ...]] = {
         "app.hardware.body.steering",
         "app.hardware.chair.telemetry",
         "app.hardware.chair.telemetry_sender",
+        "app.hardware.shirt.brainflow_library",
+        "app.hardware.shirt.lsl_reception",
+        "app.hardware.shirt.orientation_sensors.bluetooth_links",
+        "app.hardware.shirt.orientation_sensors.slimevr_trackers",
+        "app.hardware.shirt.serial_bytes",
         "app.host.authority",
         "app.pipeline.commands",
         "app.pipeline.movement_check",
@@ -36,6 +41,8 @@ EXCEPTIONS: dict[str, tuple[str, ...]] = {
         "app.scene.plots",
         "app.scoring.decimation",
         "app.session.adaptation_reading",
+        "app.signals.clock_times",
+        "app.signals.text_table",
         "app.world.imports.dxf_lines",
     ),
     "the application puts its parts together; what surrounds every request, and the answers to exceptions, are apart": (
@@ -54,9 +61,10 @@ EXCEPTIONS: dict[str, tuple[str, ...]] = {
     "what is accepted of foreign files is read apart from the routes of the clinic's own plans": (
         "app.api.routes.plan_uploads",
     ),
-    "what a device's counter and clock say of its frames is judged without the socket that they come by": (
-        "app.hardware.shirt.frame_order",
+    "the computing process reads a file for a draft, and loads neither routes nor database": (
+        "app.features.layouts.drafts",
     ),
+    "what is sent over LSL is made of ticks apart from the thread that sends it": ("app.features.lsl.outlets",),
     "the control process passes ids on and loads no catalogue": ("app.fluent_catalogue",),
     "the map of one joint is fitted apart from what a profile makes of all joints": ("app.calibration.fit.joint_fit",),
     "the help of a command loads no library; what the command runs loads many": ("app.cli.study.study_runs",),
@@ -68,9 +76,7 @@ def named_in_texts() -> set[str]:
     """Return the modules that some code names in a text: commands, child processes, drivers, routes of features."""
     found = {f"app.features.{name}.{routes}" for name, one in features().items() for routes in one.routes}
     for file in FILES:
-        for node in ast.walk(ast.parse(file.read_text(encoding="utf-8"))):
-            if isinstance(node, ast.Constant) and node.value in MODULES:
-                found.add(node.value)
+        found |= MODULES & set(re.findall(r'"([\w.]+)"', file.read_text(encoding="utf-8")))
     return found
 
 

@@ -77,12 +77,12 @@ def test_several_sensors_outside_their_range_mean_that_the_shirt_moved():
 
 
 def test_joints_are_called_as_the_reader_calls_them():
-    bad_channels = [bad("e1", 1.0, silent=False), BadChannel(name="h1", joint="head", share=1.0, silent=False)]
-    (warning,) = control_warnings([trial(1, joint(), joint(name="head", label="Head"), bad=bad_channels)]).warnings
-    assert "(right elbow and Head)" in str(warning.message)
+    bad_channels = [bad("e1", 1.0, silent=False), BadChannel(name="k1", joint="knee", share=1.0, silent=False)]
+    (warning,) = control_warnings([trial(1, joint(), joint(name="knee", label="Knee"), bad=bad_channels)]).warnings
+    assert "(right elbow and Knee)" in str(warning.message)
     with reader_language("de"):
-        assert str(warning.joint) == "Rechter Ellbogen und Head"
-        assert "(rechter Ellbogen und Head)" in str(warning.message)
+        assert str(warning.joint) == "Rechter Ellbogen und Knee"
+        assert "(rechter Ellbogen und Knee)" in str(warning.message)
 
 
 def test_trials_with_an_older_map_give_no_warning_of_sensors_and_fit():

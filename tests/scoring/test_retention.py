@@ -2,7 +2,6 @@
 
 import numpy as np
 import pytest
-from scipy.stats import binom
 
 from app.scoring.learning import learning_curves, retention, session_sentences, session_statistics
 from bench.learning.simulated_trials import LEADING, Course, trials
@@ -104,6 +103,8 @@ def test_a_short_session_is_left_out_with_the_changes_around_it() -> None:
 
 def test_only_of_measures_that_lead_and_seldom_without_a_change_is_there_a_sentence_on_sessions() -> None:
     """One of ten measures had a sentence by chance on most pages, one of three in 17 % (95 % intervals)."""
+    from scipy.stats import binom
+
     rng, told = np.random.default_rng(3), 0
     for _ in range(100):
         rows = trials(rng, 0.25, 0.12, Course((5,) * 8), (*LEADING, "stops"))

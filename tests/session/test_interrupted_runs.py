@@ -1,6 +1,7 @@
 """After a program was killed, the number of rows of a run is that of the rows on the disk, and none is forgotten."""
 
 import random
+import shutil
 import signal
 import subprocess
 import sys
@@ -35,15 +36,23 @@ def killed_recording(folder: Path, after: float) -> int:
     return int([line for line in said if line.endswith(b"\n")][-1])
 
 
+@pytest.fixture(scope="module")
+def killed_at_once(tmp_path_factory: pytest.TempPathFactory) -> Path:
+    """The folder of a recording whose process was killed."""
+    folder = tmp_path_factory.mktemp("killed") / "unknown"
+    killed_recording(folder, 0.0)
+    return folder
+
+
 @pytest.fixture
-def interrupted(database: Database, tmp_path: Path) -> tuple[Database, SessionRuns, Path]:
+def interrupted(database: Database, killed_at_once: Path, tmp_path: Path) -> tuple[Database, SessionRuns, Path]:
     """A clinic that was killed while it recorded `known`; of `unknown` there is no row yet."""
     runs = tmp_path / "runs"
     with rows_in(database) as rows:
         session = rows.session()
         for run in ("known", "gone"):
             add_run(rows.db, run, session.id, "drive", run)
-    killed_recording(runs / "unknown", 0.0)
+    shutil.copytree(killed_at_once, runs / "unknown")
     return database, SessionRuns(database, None, runs, lambda: True), runs  # type: ignore[arg-type]
 
 

@@ -11,6 +11,7 @@ from app.source import (
     UNKNOWN_SOURCE,
     Source,
     source_description,
+    source_group,
     source_of_header,
 )
 
@@ -23,6 +24,23 @@ def test_every_source_declares_whether_it_is_simulated_and_has_its_words() -> No
     assert {*CHAIRS, "unknown"} == NAMED_CHAIRS
 
 
+def test_a_kind_of_shirt_that_measures_in_another_way_is_a_group_of_its_own() -> None:
+    """Safety S26: whoever adds a kind of shirt changes this table."""
+    assert {kind: source_group(kind, driver.simulated) for kind, driver in SHIRTS.items()} == {
+        "simulator": "simulated",
+        "camera": "camera",
+        "phones": "phones",
+        "slimevr": "slimevr",
+        "bluetooth": "bluetooth",
+        "serial": "worn",
+        "brainflow": "brainflow",
+        "lsl": "lsl",
+        "udp": "worn",
+        "replay": "simulated",
+    }
+    assert (source_group("camera", True), source_group("camera", None)) == ("simulated", "unknown")
+
+
 @pytest.mark.parametrize(
     ("source", "words"),
     [
@@ -31,6 +49,11 @@ def test_every_source_declares_whether_it_is_simulated_and_has_its_words() -> No
         (Source(shirt="replay", body=None, chair="virtual", simulated=True),
          "Recorded signals, virtual chair: practice only"),
         (Source(shirt="udp", body=None, chair="udp", simulated=False), "Worn shirt, real chair"),
+        (Source(shirt="serial", body=None, chair="udp", simulated=False), "Worn shirt on a cable, real chair"),
+        (Source(shirt="lsl", body=None, chair="virtual", simulated=False), "Signals over LSL, virtual chair"),
+        (Source(shirt="camera", body=None, chair="virtual", simulated=False), "Camera, virtual chair"),
+        (Source(shirt="brainflow", body=None, chair="virtual", simulated=False),
+         "Worn board (BrainFlow), virtual chair"),
         (Source(shirt="new", body=None, chair="virtual", simulated=False), "Shirt of the kind 'new', virtual chair"),
         (UNKNOWN_SOURCE, "Shirt not recorded, chair not recorded"),
     ],

@@ -10,7 +10,7 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from app.signals.columns import read_columns, read_columns_and_dialect
+from app.signals.columns import read_columns, read_table
 from app.signals.csv_dialect import Dialect
 
 NUMBERS = st.floats(-1e6, 1e6, allow_nan=False).map(lambda value: round(value, 6)) | st.just(float("nan"))
@@ -43,20 +43,19 @@ def test_any_dialect_of_a_table_reads_equal(tmp_path_factory, rows, dialect, end
     file.write_bytes(written(rows, Dialect()))
     plain = read_columns(file)
     file.write_bytes(written(rows, dialect, ending, mark, quoted))
-    found, told = read_columns_and_dialect(file)
-    assert list(found) == list(plain)
+    found = read_table(file)
+    assert list(found.columns) == list(plain)
     for name, values in plain.items():
-        np.testing.assert_array_equal(found[name], values)
-    assert told.separator == dialect.separator
-    assert told.decimal == dialect.decimal
+        np.testing.assert_array_equal(found.columns[name], values)
+    assert found.dialect[:2] == dialect[:2]
 
 
 def test_text_with_commas_does_not_mean_decimal_commas(tmp_path):
     file = tmp_path / "table.csv"
     file.write_text("t;a;remark\n0.5;1.25;up, then down\n")
-    found, told = read_columns_and_dialect(file, only=("t", "a"))
-    assert (float(found["t"][0]), float(found["a"][0])) == (0.5, 1.25)
-    assert told == Dialect(";", ".")
+    found = read_table(file, only=("t", "a"))
+    assert (float(found.columns["t"][0]), float(found.columns["a"][0])) == (0.5, 1.25)
+    assert found.dialect == Dialect(";", ".")
 
 
 def test_a_small_file_that_holds_very_many_numbers_is_not_unpacked(tmp_path):

@@ -6,6 +6,7 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
+from app.signals.row_places import RowPlaces
 from app.signals.sampling_times import sampling_times
 
 FILE = Path("signals.csv")
@@ -13,7 +14,7 @@ ROWS = np.arange(2400)
 
 
 def seen(t):
-    return sampling_times(np.asarray(t, np.float64), FILE)
+    return sampling_times(np.asarray(t, np.float64), RowPlaces(str(FILE)))
 
 
 @given(

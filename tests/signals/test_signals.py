@@ -65,10 +65,10 @@ def test_missing_numbers_are_nan_in_channels(write):
     [
         ("", "this file is empty"),
         ("t,a,b\n", "no row below the header"),
-        ("time,a,b\n" + ROWS, "no column 't'"),
+        ("weight,a,b\n" + "".join(f"{7 - i},1,1\n" for i in range(20)), "no column 't' and no other one of times"),
         ("t\n" + "".join(f"{i}\n" for i in range(20)), "no channel beside 't'"),
         ("t,a,b\n" + ROWS + "0.20,1,x\n", "line 22, column 'b': 'x' is not a number"),
-        ("t,a,b\n" + ROWS + "0.20,1\n", "line 22: 2 cells where the header has 3"),
+        ("t,a,b\n" + ROWS + "0.20,1\n0.21,1,1\n", "line 22: 2 cells where the header has 3"),
         ("t,a,b\n" + ROWS + "0.05,1,1\n", "line 22: time runs backwards"),
         ("t,a,b\n" + ROWS + ",1,1\n", "line 22: 't' has no number"),
         ("t,a,b\n" + ROWS + "nan,1,1\n", "line 22: 't' has no number"),
@@ -76,11 +76,11 @@ def test_missing_numbers_are_nan_in_channels(write):
         ("t,a,b\n0,1,1\n0.1,1,1\n", "2 samples are too few"),
         ("t,a,b\n" + "".join(f"{10 * i},1,1\n" for i in range(20)), "must be in seconds"),
         ("t\ta\tb\n0\t1\t1\n", "1 sample is too few"),
-        ("t,a,a\n0,1,1\n", "two columns 'a'"),
+        ("t,a,a\n0,1,1\n0.1,2,1\n", "two columns 'a'"),
         ("t,,a\n0,1,1\n", "column 2 has no name"),
         (b"\x89PNG\r\n\x1a\n\x00\x00\xff\xfe", "not a CSV file but something binary"),
-        (b"t,a,b\n" + ROWS.encode() + b"0.20,\xff\xfe,1\n", "not a CSV file but something binary"),
-        ("Dear Sir,\nI have no signals.\n", "column 2 has no name"),
+        (b"t,a,b\n" + ROWS.encode() + b"0.20,\xff\x01\xfe,1\n", "not a CSV file but something binary"),
+        ("Dear Sir,\nI have no signals.\n", "no table of numbers"),
     ],
 )
 def test_a_bad_file_is_refused_in_one_sentence_that_names_it(write, content, words):

@@ -4,10 +4,10 @@ from typing import Any
 
 import pytest
 from clinic_rows import SIMULATED, WORN, ClinicRows
-from sqlalchemy import Connection, event
+from sqlalchemy import Connection, event, select
 
 from app.clock import utc_now
-from app.source import UNKNOWN_SOURCE
+from app.source import OWN_GROUPS, UNKNOWN_SOURCE, Source, SourceGroup
 from app.store.adaptation_material import material_for
 from app.store.learning_trials import (
     compared_trials,
@@ -16,8 +16,18 @@ from app.store.learning_trials import (
     prior_consents,
     trials_of_everybody,
 )
+from app.store.parameters import as_document, current_parameters
+from app.store.practice import PracticeHistory
+from app.store.run_groups import RUN_GROUP
 from app.store.runs import keep_trial, trials_of
-from app.store.tables import Patient
+from app.store.tables import Patient, Run
+
+SOURCES: dict[SourceGroup, Source] = {
+    "worn": WORN,
+    "simulated": SIMULATED,
+    "unknown": UNKNOWN_SOURCE,
+    **{group: Source(shirt=kind, body=None, chair="virtual", simulated=False) for kind, group in OWN_GROUPS.items()},
+}
 
 
 @pytest.fixture
@@ -100,11 +110,40 @@ def test_a_patients_trials_in_a_task_are_found_without_reading_everybodys(rows: 
     assert "(patient_id=? AND floorplan=? AND path=?" in plans[0]
 
 
-def test_worn_simulated_and_unknown_trials_are_never_material_together(rows: ClinicRows) -> None:
+def test_trials_of_different_sources_are_never_material_together(rows: ClinicRows) -> None:
     """Safety S26: a movement that nobody made does not change the map of a person, nor the other way round."""
     session = rows.open_session()
-    for name, source in (("worn", WORN), ("simulated", SIMULATED), ("unknown", UNKNOWN_SOURCE)):
-        rows.trial(session, source=source, run=name)
-    for simulated, name in ((False, "worn"), (True, "simulated"), (None, "unknown")):
-        material = material_for(rows.db, session.patient_id, session.id, simulated=simulated)
-        assert (material.run_ids, material.fresh, [past.run_id for past in material.past]) == ([name], 1, [name])
+    for group, source in SOURCES.items():
+        rows.trial(session, source=source, run=group)
+    for group in SOURCES:
+        material = material_for(rows.db, session.patient_id, session.id, group)
+        assert (material.run_ids, material.fresh, [past.run_id for past in material.past]) == ([group], 1, [group])
+
+
+def test_practice_counts_only_with_the_kind_of_shirt_that_is_in_use(rows: ClinicRows) -> None:
+    session = rows.open_session()
+    for group, source in SOURCES.items():
+        rows.trial(session, {"dist": 1.0}, source=source, run=group)
+    row, profile = current_parameters(rows.db, session.patient_id)
+    digest = as_document(row, profile).hash
+    for group in SOURCES:
+        assert PracticeHistory().practice(rows.db, session.patient_id, digest, group).trials == 1
+        assert PracticeHistory().newest(rows.db, session.patient_id, group) is not None
+
+
+def test_the_spread_of_everybody_is_of_one_source(rows: ClinicRows, patient: Patient) -> None:
+    rows.consent(patient, "clinic_prior")
+    session = rows.session(patient)
+    for place, source in enumerate(SOURCES.values()):
+        rows.trial(session, {"dist": float(place)}, source=source)
+    for place, group in enumerate(SOURCES):
+        (found,) = trials_of_everybody(rows.db, "room", "ahead", group)[patient.id]
+        assert found["dist"] == place
+
+
+@pytest.mark.parametrize("simulated", [None, True, False])
+@pytest.mark.parametrize("shirt", ["udp", "serial", "simulator", "unknown", *OWN_GROUPS])
+def test_a_query_finds_the_group_that_a_source_has(rows: ClinicRows, shirt: str, simulated: bool | None) -> None:
+    source = Source(shirt=shirt, body=None, chair="virtual", simulated=simulated)
+    trial = rows.trial(rows.session(), source=source)
+    assert rows.db.scalar(select(RUN_GROUP).where(Run.id == trial.run_id)) == source.group

@@ -155,7 +155,7 @@ def test_a_study_that_cannot_be_drawn_leaves_nothing(short, tmp_path) -> None:
 
 
 def test_the_command_prints_one_json_object(tmp_path, capsys) -> None:
-    study(out=tmp_path / "out", trials=1, seed=2, floorplan="clinic", path="corridor", as_json=True)
+    study(out=tmp_path / "out", trials=1, seed=2, floorplan="clinic", path="corridor", jobs=1, as_json=True)
     printed = capsys.readouterr()
     answer = json.loads(printed.out)
     assert answer["out"] == str(tmp_path / "out")

@@ -15,6 +15,7 @@ from app.calibration.vocabulary import standard_parameters
 from app.hardware.shirt.standard import standard_layout
 from app.pipeline.replay.batch import decode_block
 from app.session.calibration.garment import Garment
+from app.source import OWN_GROUPS
 from app.study.simulated_calibration import (
     SAMPLE_RATE,
     StepRecording,
@@ -82,12 +83,18 @@ def test_its_rings_tell_how_somebody_new_wears_the_elbows() -> None:
 
 def test_a_shirt_whose_layout_named_rings_later_is_the_same_garment() -> None:
     layout = standard_layout()
-    one, other = Garment(layout, False, None), Garment(layout.without_rings, False, None)
+    one, other = Garment(layout, "worn", None), Garment(layout.without_rings, "worn", None)
     assert layout.without_rings.rings == {}
-    assert one.hash == other.hash != Garment(layout, False, 1).hash
+    assert one.hash == other.hash != Garment(layout, "worn", 1).hash
+
+
+def test_other_sensors_with_the_layout_of_a_shirt_are_another_garment() -> None:
+    garments = [Garment(standard_layout(), group, None) for group in ("worn", *OWN_GROUPS.values())]
+    assert len({garment.hash for garment in garments}) == len(garments)
+    assert {(garment.simulated, garment.shipped_prior) for garment in garments} == {(False, None)}
 
 
 def test_another_simulated_shirt_has_no_prior() -> None:
-    assert Garment(standard_layout(), True, SHIPPED_SEED).shipped_prior is not None
-    assert Garment(standard_layout(), True, 2).shipped_prior is None
-    assert Garment(standard_layout(), False, None).shipped_prior is None
+    assert Garment(standard_layout(), "simulated", SHIPPED_SEED).shipped_prior is not None
+    assert Garment(standard_layout(), "simulated", 2).shipped_prior is None
+    assert Garment(standard_layout(), "worn", None).shipped_prior is None

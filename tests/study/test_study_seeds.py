@@ -4,6 +4,7 @@ import csv
 import dataclasses
 import itertools
 import json
+from functools import partial
 from pathlib import Path
 from typing import Any
 
@@ -133,11 +134,12 @@ def test_the_figure_of_all_seeds_with_trials_that_missed_the_goal(tmp_path) -> N
 
 
 def test_the_command_with_seeds_and_without_learning(tmp_path, capsys) -> None:
-    study(tmp_path / "out", 1, 3, 2, path="corridor", no_learning=True, as_json=True)
+    asked = partial(study, tmp_path / "out", 1, 3, 2, path="corridor")
+    asked(figures="none", no_learning=True, as_json=True)
     answer = json.loads(capsys.readouterr().out)
     assert answer["seeds"] == [3, 4]
     assert answer["person"]["learns"] is False
-    study(tmp_path / "out", 1, 3, 2, path="corridor", overwrite=True)
+    asked(overwrite=True)
     printed = capsys.readouterr().out
     assert "of 2 people it fell in 0, rose in 0 and stayed within noise in 2;" in printed
     assert "Mann-Kendall" not in printed

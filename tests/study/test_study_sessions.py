@@ -69,9 +69,7 @@ def test_the_trials_do_not_depend_on_the_number_of_processes() -> None:
 
 
 def test_the_command_writes_rows_table_and_summary(tmp_path, capsys) -> None:
-    study(
-        out=tmp_path, adapt="auto", person="deteriorating", sessions=1, trials=1, seed=2, path="corridor", as_json=True
-    )
+    study(tmp_path, 1, 2, adapt="auto", person="deteriorating", sessions=1, path="corridor", jobs=1, as_json=True)
     answer = json.loads(capsys.readouterr().out)
     assert answer["applied"]["sign_flips"] == 0
     assert answer["sessions"][0]["relative"] == 0.0  # nothing can be applied before the first trial
@@ -80,8 +78,7 @@ def test_the_command_writes_rows_table_and_summary(tmp_path, capsys) -> None:
 
 
 def test_the_command_writes_rows_table_and_summary_of_interface_tests(tmp_path, capsys):
-    asked = {"person": "redonned", "sessions": 2, "trials": 1, "seed": 5, "path": "corridor", "as_json": True}
-    study(out=tmp_path, interface_test=True, **asked)
+    study(tmp_path, 1, 5, interface_test=True, person="redonned", sessions=2, path="corridor", jobs=1, as_json=True)
     answer = json.loads(capsys.readouterr().out)
     assert [one["session"] for one in answer["sessions"]] == [1, 2]
     assert answer["rank_correlation"] == {"between": None, "within": None}  # one person, two sessions

@@ -12,6 +12,7 @@ import tomllib
 from collections.abc import Iterable, Mapping, Sequence
 from pathlib import Path
 from typing import Any, Final, NamedTuple
+from urllib.parse import unquote
 
 from packaging.markers import Marker
 from packaging.tags import Tag, compatible_tags, cpython_tags, mac_platforms
@@ -36,7 +37,11 @@ class PinList(NamedTuple):
 
 LISTS: Final = {
     "run": PinList("what the program needs"),
+    "bags": PinList("the extra bags", "run"),
+    "bluetooth": PinList("the extra bluetooth", "run"),
+    "brainflow": PinList("the extra brainflow", "run"),
     "figures": PinList("the extra figures", "run"),
+    "files": PinList("the extra files", "run"),
     "ros2": PinList("the extra ros2", "run"),
     "build": PinList("what builds it", "run"),
     "compile": PinList("what builds a compiled wheel", "build"),
@@ -115,6 +120,7 @@ def resolved(requirements: Iterable[str], versions: Iterable[str]) -> dict[str, 
         kept.write_text("\n".join(versions))
         words = [sys.executable, "-m", "uv", "pip", "compile", "--quiet", "--no-config", "--universal"]
         words += ["--python-version", "{}.{}".format(*PYTHONS[0]), "--only-binary", ":all:", "--constraint", str(kept)]
+        words += ["--fork-strategy", "fewest"]  # one version for all Pythons
         subprocess.run([*words, "--format", "pylock.toml", "--output-file", str(found), str(asked)], check=True)
         return {package["name"]: package for package in tomllib.loads(found.read_text())["packages"]}
 
@@ -140,7 +146,7 @@ def pin(package: Mapping[str, Any], machines: Sequence[Machine]) -> tuple[str, l
 
 
 def _tags_of(wheel: Mapping[str, Any]) -> frozenset[Tag]:
-    name = wheel.get("name") or wheel["url"].rpartition("/")[2]
+    name = wheel.get("name") or unquote(wheel["url"].rpartition("/")[2])
     return parse_wheel_filename(name)[3]
 
 

@@ -71,13 +71,14 @@ def test_a_copy_is_the_file_of_the_package() -> None:
         why = "The packages of npm are not installed: run `make check`."
         (pytest.fail if os.environ.get("BODYDRIVE_NO_SKIP") == "1" else pytest.skip)(why)
     for file in FILES:
-        original = (ROOT / "node_modules" / file.package / file.source).read_text()
-        copied = (ROOT / VENDOR / file.place).read_text()
+        original = (ROOT / "node_modules" / file.package / file.source).read_bytes()
+        copied = (ROOT / VENDOR / file.place).read_bytes()
         if not file.module:
-            assert copied == original
+            assert copied == original, file.place
             continue
         # They differ in line ends after an import, in what is imported from where, and in the name of the source map.
-        bare = [re.sub(r'\bfrom"[^"]+"|\n|//# sourceMappingURL=\S+', "", text) for text in (original, copied)]
+        texts = original.decode(), copied.decode()
+        bare = [re.sub(r'\bfrom"[^"]+"|\n|//# sourceMappingURL=\S+', "", text) for text in texts]
         assert bare[1] == bare[0]
 
 

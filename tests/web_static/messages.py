@@ -8,10 +8,8 @@ from typing import Final
 from folders import ROOT
 
 WORDS: Final = ROOT / "web_static" / "words"
-LANGUAGES: Final = sorted(folder.name for folder in WORDS.iterdir())
 SCRIPTS: Final = ROOT / "web_static" / "js"
 BEGINNING: Final = re.compile(r"^([a-zA-Z][\w-]*) *=", re.MULTILINE)
-VARIABLE: Final = re.compile(r"\{ *\$(\w+)")
 LITERAL: Final = re.compile(r'"([^"\n]*)"')
 # A template of an id: parts of one, and values in which no other template stands.
 TEMPLATE: Final = re.compile(r"`((?:[\w-]+|\$\{[^{}`]*\})+)`")
@@ -28,16 +26,6 @@ def ids_of(file: Path) -> list[str]:
 def ids_of_language(language: str = "en") -> dict[str, set[str]]:
     """Return the ids by the name of their file, without its end."""
     return {file.stem: set(ids_of(file)) for file in sorted((WORDS / language).glob("*.ftl"))}
-
-
-def values_of_language(language: str) -> dict[tuple[str, str], set[str]]:
-    """Return the names of the values that each message holds, by its file and id."""
-    values: dict[tuple[str, str], set[str]] = {}
-    for file in sorted((WORDS / language).glob("*.ftl")):
-        _, *parts = BEGINNING.split(file.read_text(encoding="utf-8"))
-        messages = zip(parts[::2], parts[1::2], strict=True)
-        values |= {(file.stem, name): set(VARIABLE.findall(text)) for name, text in messages}
-    return values
 
 
 def id_of(text: str) -> str:

@@ -1,18 +1,25 @@
 """What single modules of the pages do; each script runs some of them in node, without a page."""
 
 import pytest
-from web_static.messages import LANGUAGES
+
+from app.texts import LANGUAGES
 
 SCRIPTS = {
+    "camera/camera": "a page is the camera from its start to its end, and sends nothing but samples",
+    "camera/placement": "who sits before a camera is told to move back, or that there is too little light",
+    "camera/pose_engine": "the engine that reads a camera's pictures runs in a worker and in a frame",
     "charts/curve_marks": "sessions and versions of the map stand where they belong along a learning curve",
     "charts/extent": "few values fill the axis of a chart",
     "cue_motion": "where reduced motion is preferred, the cue changes in steps and does not glide",
     "device": "the page that connects a device knows which one it is",
     "editor_logic": "the floor plan editor changes documents by its tools, and takes changes back",
     "moment_word": "the patient's screen has a large word for every end of a trial",
+    "moving_channels": "a sensor that is moved is seen to move, and no other one",
     "news": "a page asks again only after news that may concern what it shows",
-    "page_help": "every page says what it is for in three sentences, and has a drawing",
+    "page_help": "every page has its module and its name, says what it is for in three sentences, and has a drawing",
+    "pages/arrivals": "the Shirt page says why nothing arrives",
     "pages/first_path": "review begins with a task that can be compared, and says what counts",
+    "pages/layout_document": "the editor of layouts changes places, joints and groups, and names places on the body",
     "pages/obstacle_link": "a calibration that does not fit leads to a new one",
     "patient/arrow_and_sounds": "the arrow and the sounds of the patient's screen mean what happens",
     "results/source_group": "worn trials come first in review, otherwise what was driven last",

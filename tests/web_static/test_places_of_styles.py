@@ -17,7 +17,10 @@ from app.settings import static_folder
 STYLES, SCRIPTS = static_folder() / "css", static_folder() / "js"
 TOKENS = STYLES / "tokens.css"
 PAGES = sorted((STYLES / "pages").glob("*.css"))
-APART = {"docs.js", "patient", "patient.js", "share.js", "stereo", "stereo.js", "tablet", "tablet.js"}  # load no page
+APART = {  # load no page
+    *("docs.js", "patient", "patient.js", "phone", "phone.js"),
+    *("share.js", "stereo", "stereo.js", "tablet", "tablet.js"),
+}
 
 COMMENT_LINE = re.compile(r"^ *(?://|/?\*).*$", re.MULTILINE)
 STRING = re.compile(r'"(?:[^"\\\n]|\\.)*"|\'(?:[^\'\\\n]|\\.)*\'|`(?:[^`\\]|\\.)*`', re.DOTALL)

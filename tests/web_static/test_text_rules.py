@@ -5,6 +5,7 @@ import re
 from web_static.messages import scripts
 
 from app.api.pages import LANGUAGE_MODULE
+from app.texts import LANGUAGES
 
 FORMATS = "widgets/format.js"
 MESSAGES = "words.js"
@@ -48,7 +49,7 @@ def test_no_text_is_added_to_another_or_cut() -> None:
 
 def test_no_module_names_a_language() -> None:
     alone = {LANGUAGE_MODULE.removeprefix("js/"), FORMATS}
-    language = re.compile(r'"(?:en|es|de)(?:-[A-Z]{2})?"')
+    language = re.compile(rf'"(?:{"|".join(LANGUAGES)})(?:-[A-Z]{{2}})?"')
     assert [name for name, script in SCRIPTS.items() if name not in alone and language.search(script)] == []
 
 

@@ -1,23 +1,23 @@
 """People read plain words; the symbols of publications stand behind "Details" only."""
 
-import ast
 import json
+import re
 from typing import get_args
 
 from cli.symbols import symbols_in
+from fluent.syntax import ast as fluent
 from web_static.messages import WORDS, id_of, ids_of
 
 from app.calibration.map_grades import SIGNAL_TO_NOISE_LIMITS, SPREAD_LIMITS, repeats_word, signal_word
 from app.features.registration import EventKind
-from folders import ROOT
+from words import entries_of
 
 # Texts about the picture of a floor plan that a robot has drawn: a ROS map.
 FLOOR_PLANS = ("editor.ftl: import", "uploads.ftl")
-# Sentences for people come from these; messages on fields of a document name the field as the document does.
-SENTENCES = ("app/faults.py", "app/scoring", "app/calibration", "app/session", "app/store", "app/api", "app/source.py")
-ROWS_OF_THE_LOG = {"map adapted", "map taken back"}  # they are never changed, so that older rows have the same names
-ONLY_IN_EXPORTS = {"Smoothness: logarithmic dimensionless jerk"}
-DOCUMENTS = {"profile.py", "vocabulary.py", "prompts_file.py"}
+# Of the server: for the command line and studies, on fields of a document as it names them, on maps of robots.
+NOT_ON_PAGES = {"command_help.ftl", "command_line.ftl", "study.ftl", "calibration_files.ftl", "plans.ftl"}
+ALLOWED = {"measure-ldlj-definition": "only in exports", "api-map-picture-alone": "on a map of a robot"}
+NAMES_OF_VALUES = re.compile(r"\$\w+|\[\w+\]|\{ *[a-z][\w-]* *\}")  # and of other messages
 
 
 def read_texts(run_script):
@@ -42,29 +42,15 @@ def test_a_label_holds_the_words_that_it_replaces(run_script):
     assert {key: both for key, both in replaced.items() if both[0].lower() not in both[1].lower()} == {}
 
 
-def sentences(tree):
-    """Yield the texts of a module with more than one word, without docstrings and descriptions of fields."""
-    docstrings = {
-        id(node.body[0].value)
-        for node in ast.walk(tree)
-        if isinstance(node, ast.Module | ast.ClassDef | ast.FunctionDef | ast.AsyncFunctionDef)
-        and node.body
-        and isinstance(node.body[0], ast.Expr)
-    }
-    for node in ast.walk(tree):
-        is_text = isinstance(node, ast.Constant) and isinstance(node.value, str) and id(node) not in docstrings
-        if is_text and " " in node.value.strip():
-            yield node.value
-
-
-def test_no_sentence_that_a_page_shows_has_a_symbol():
-    files = [ROOT / place for place in SENTENCES if place.endswith(".py")]
-    files += [file for place in SENTENCES for file in (ROOT / place).rglob("*.py") if file.name not in DOCUMENTS]
+def test_no_sentence_of_the_server_that_a_page_shows_has_a_symbol():
     found = {}
-    for file in files:
-        for text in sentences(ast.parse(file.read_text(encoding="utf-8"))):
-            if symbols_in(text) and text not in ROWS_OF_THE_LOG | ONLY_IN_EXPORTS:
-                found.setdefault(str(file.relative_to(ROOT)), []).append(text)
+    for file in sorted((WORDS / "en" / "server").glob("*.ftl")):
+        text = file.read_text(encoding="utf-8")
+        for entry in entries_of(text):
+            if isinstance(entry, fluent.Message) and file.name not in NOT_ON_PAGES:
+                symbols = symbols_in(NAMES_OF_VALUES.sub("", text[entry.value.span.start : entry.value.span.end]))
+                if symbols and entry.id.name not in ALLOWED:
+                    found[file.name, entry.id.name] = symbols
     assert found == {}
 
 

@@ -9,6 +9,7 @@ from PIL import Image
 FREE, UNKNOWN, OCCUPIED = 254, 205, 0
 RANGE = 12.0  # m, of the laser
 RAYS = 1440
+STEPS = 64  # along a ray at a time
 
 
 @dataclass(frozen=True)
@@ -71,25 +72,46 @@ def thickened(walls, resolution):
 
 def scan(walls, stations, resolution, random):
     """Return what a laser sees from the stations (n, 2), m."""
-    rows, columns = walls.shape
     free, hit = np.zeros(walls.shape, bool), np.zeros(walls.shape, bool)
     ranges = np.arange(0, RANGE, resolution * 0.5)
     for station in stations:
         angles = random.uniform(0, 2 * np.pi) + np.arange(RAYS) * 2 * np.pi / RAYS
-        x = (station[0] + ranges * np.cos(angles)[:, None]) / resolution
-        y = (station[1] + ranges * np.sin(angles)[:, None]) / resolution
-        inside = (x >= 0) & (y >= 0) & (x < columns) & (y < rows)
-        at_x, at_y = x.clip(0, columns - 1).astype(int), y.clip(0, rows - 1).astype(int)
-        blocked = walls[at_y, at_x] & inside
-        first = np.where(blocked.any(axis=1), blocked.argmax(axis=1), len(ranges))
-        seen = (np.arange(len(ranges)) < first[:, None]) & inside
-        free[at_y[seen], at_x[seen]] = True
+        ways = np.cos(angles), np.sin(angles)
+        first = _first_hits(walls, free, ranges, station, ways, resolution)
         noise = np.rint(random.normal(0, 0.025, RAYS) / (resolution * 0.5)).astype(int)
-        ends = (first + noise).clip(0, len(ranges) - 1)
+        ends = ranges[(first + noise).clip(0, len(ranges) - 1)]
+        x, y = ((at + ends * way) / resolution for at, way in zip(station, ways, strict=True))
         ray = np.flatnonzero(first < len(ranges))
-        hit[at_y[ray, ends[ray]], at_x[ray, ends[ray]]] = True
+        hit[_cells(y, walls.shape[0])[ray], _cells(x, walls.shape[1])[ray]] = True
     hit |= (random.random(walls.shape) < 1e-4 * (resolution / 0.05) ** 2) & free  # spurious returns
     return np.where(hit, OCCUPIED, np.where(free, FREE, UNKNOWN)).astype(np.uint8)
+
+
+def _first_hits(walls, free, ranges, station, ways, resolution):
+    """Return the place in `ranges` where each ray meets a wall, their number where it meets none; mark what is free.
+
+    A ray is followed for a metre or so at a time, until it has met a wall or left the map.
+    """
+    rows, columns = walls.shape
+    first, left = np.full(RAYS, len(ranges)), np.arange(RAYS)
+    for begin in range(0, len(ranges), STEPS):
+        some = ranges[begin : begin + STEPS]
+        x, y = ((at + some * way[left, None]) / resolution for at, way in zip(station, ways, strict=True))
+        inside = (x >= 0) & (y >= 0) & (x < columns) & (y < rows)
+        at_x, at_y = _cells(x, columns), _cells(y, rows)
+        blocked = walls[at_y, at_x] & inside
+        met = blocked.any(axis=1)
+        here = np.where(met, blocked.argmax(axis=1), len(some))
+        seen = (np.arange(len(some)) < here[:, None]) & inside
+        free[at_y[seen], at_x[seen]] = True
+        first[left[met]] = begin + here[met]
+        left = left[~met & inside[:, -1]]
+    return first
+
+
+def _cells(places, count):
+    """Return the cells of places along one side of a map of so many cells."""
+    return places.clip(0, count - 1).astype(int)
 
 
 def write_map(home, folder, free_threshold=0.25):

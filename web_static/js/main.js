@@ -16,7 +16,8 @@ import { header } from "./shell/header.js";
 import { DEMO_LINK, INVITATION_LINK, takeCode } from "./shell/link_codes.js";
 import { firstTimePlace, notices } from "./shell/notices.js";
 import { showWhetherOffline } from "./shell/offline.js";
-import { PAGES, rail } from "./shell/rail.js";
+import { PAGES } from "./shell/pages.js";
+import { rail } from "./shell/rail.js";
 import { stopOnSpace } from "./shell/stop.js";
 import { pageTitle } from "./shell/subject.js";
 import { followSystem } from "./shell/theme.js";
@@ -253,7 +254,7 @@ export class App extends TypedEvents {
     const [named, ...rest] = location.hash.replace(/^#\/?/, "").split("/");
     if (this.invitation) this.route = { page: "invitation", rest: [] };
     else if (!this.me?.signed_in) this.route = { page: this.me?.needs_setup ? "set_up" : "sign_in", rest: [] };
-    else if (PAGES.includes(named)) this.route = { page: named, rest };
+    else if (Object.hasOwn(PAGES, named)) this.route = { page: named, rest };
     else {
       this.route = { page: this.#next(), rest: [] };
       history.replaceState(null, "", `#/${this.route.page}`);

@@ -10,6 +10,7 @@ import { Fragment, h, render, useRef, useSignal } from "./preact.js";
 import { Field } from "./widgets/fields.js";
 import { practiceMark, readPractice } from "./shell/practice_mark.js";
 import { followSystem } from "./shell/theme.js";
+import { stopCamera } from "./camera/camera.js";
 import { Screen } from "./patient/screen.js";
 import { screenStore } from "./patient/store.js";
 import { stayAwake } from "./patient/wake.js";
@@ -96,6 +97,7 @@ class PatientPage {
   /** @param {"over" | "unpaired" | "none"} state @param {string} words instead of the usual ones */
   #leave(state, words) {
     this.#isShowing = false;
+    stopCamera();
     this.#screen.abort();
     this.#live.close();
     const form = h(CodeForm, { pair: (code) => this.#pair(code), onPaired: () => this.#ask() });

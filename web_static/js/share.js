@@ -3,7 +3,7 @@
  * @import { SharedView, TaskLearning } from "types/api"
  */
 import { focusFirst, Fragment, h, render, signal, useLayoutEffect, useRef } from "./preact.js";
-import { t } from "./texts.js";
+import { hasText, t } from "./texts.js";
 import { AreaCurve } from "./charts/area_curve.js";
 import { day, number } from "./widgets/format.js";
 import { Icon } from "./widgets/icons.js";
@@ -163,7 +163,7 @@ function TaskCard({ task }) {
       "h2",
       {},
       t("share-task", { plan: task.floorplan_title, path: task.path_title }),
-      task.source === "simulated" && ` (${t("share-simulated")})`,
+      hasText(`share-source-${task.source}`) && ` (${t(`share-source-${task.source}`)})`,
     ),
     h("p", {}, t("share-trajectories", { count: task.trajectories.length })),
     h(Lines, { all: [task.path, ...trajectories] }),

@@ -8,6 +8,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from app.api.live.message import (
+    ArrivalsMoment,
     DriveMoment,
     FaultMessage,
     HeadMoment,
@@ -20,6 +21,7 @@ from app.api.live.message import (
     TrialMoment,
 )
 from app.api.live.picture_sender import PictureSender
+from app.arrivals import Arrivals
 from app.calibration.channel_quality import channel_quality
 from app.clock import monotonic
 from app.faults import EXPLANATIONS, Fault, is_pause
@@ -133,15 +135,24 @@ class LivePicture:
         """Return the condition and the noise of every channel over the last second, and the shirt's state in words."""
         layout = self._equipment.layout
         if layout is None:
-            return Quality(quality=[], noise=[], shirt_words=self._equipment.failure or "")
-        frames = self._frames(len(layout.channels))
+            return Quality(quality=[], noise=[], shirt_words=self._equipment.failure or "", arrivals=self._arrivals())
+        frames = self._control.newest_frames(len(layout.channels), self._equipment.sample_rate, LOOK_BACK)
         tick = self._control.newest()
         estimated = 0 if tick is None else int(tick["estimated"])
         return Quality(
             quality=lamps(layout, frames, self._equipment.sample_rate, self._equipment.unused, estimated),
             noise=_numbers(noise_of(frames, len(layout.channels)), 5),
             shirt_words=self._equipment.state,
+            arrivals=self._arrivals(),
         )
+
+    def _arrivals(self) -> ArrivalsMoment | None:
+        """Return what arrives at the shirt, or why it cannot be opened; None when nothing is known."""
+        equipment = self._equipment
+        arrivals = equipment.arrivals
+        if equipment.shirt is not None and equipment.failure is not None:
+            arrivals = Arrivals("unopened", equipment.failure)
+        return None if arrivals is None else ArrivalsMoment(**arrivals._asdict())
 
     def _newest(self) -> np.void | None:
         ticks = self._control.since(self._number)
@@ -158,17 +169,6 @@ class LivePicture:
         if int(tick["number"]) < self._number:
             self._number = 0
         return tick
-
-    def _frames(self, channels: int) -> NDArray[np.float64]:
-        newest = self._control.newest()
-        if newest is None:
-            return np.empty((0, channels))
-        rate = max(self._equipment.sample_rate, 1.0)
-        ticks = self._control.since(max(0, int(newest["number"]) - int(2 * LOOK_BACK * rate)))
-        if ticks is None:
-            return np.empty((0, channels))
-        recent = ticks[(ticks["has_frame"] == 1) & (ticks["t"] > float(newest["t"]) - LOOK_BACK)]
-        return np.asarray(recent["values"][:, :channels], dtype=np.float64)
 
     def _values(self) -> list[Number] | None:
         if self._frame is None:

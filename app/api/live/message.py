@@ -7,6 +7,7 @@ from typing import Literal
 
 from pydantic import BaseModel, ConfigDict, Field
 
+from app.arrivals import ArrivalVerdict
 from app.session.chair_messages import ChairMoment, StateName
 from app.texts import Text
 
@@ -155,9 +156,19 @@ class LiveMessage(CommonMessage):
         )
 
 
+class ArrivalsMoment(MessagePart):
+    """What arrives at the shirt."""
+
+    verdict: ArrivalVerdict
+    message: Text | str = Field(description="What is so, and what to do.")
+    accepted: int = Field(description="Frames, or samples, that have counted since the shirt was opened.")
+    left_out: int = Field(description="Packets, messages or pieces of a stream that have not.")
+
+
 class Quality(MessagePart):
     """What clinicians get once a second, in the same message."""
 
     quality: list[str] = Field(description="The condition of each channel.")
     noise: list[Number] = Field(description="Of each channel, in units of its signal.")
     shirt_words: Text | str = Field(description="The state of the shirt.")
+    arrivals: ArrivalsMoment | None = Field(None, description="None: there is no shirt, or it does not say.")

@@ -72,6 +72,7 @@ class PatientMessage(CommonMessage):
     drives: bool
     cue: PatientCue | None
     over: TrialEnd | None
+    camera: bool = Field(description="Whether the shirt in use is a camera, which this screen may be.")
     asks: ScreenSettings = Field(description="What the clinician wants this screen to show.")
 
 
@@ -106,6 +107,7 @@ class PatientPicture:
             drives=drives,
             cue=self._cue(live.run),
             over=None if over is None else TrialEnd(id=over.id, end=over.end),
+            camera=self._equipment.is_camera,
             asks=self.settings,
         )
 

@@ -35,6 +35,7 @@ from app.news import News
 from app.quantities import Document
 from app.refusals import Conflict
 from app.session.open_session import SessionFlow
+from app.session.screen_codes import PairingOffer
 from app.settings import Settings
 from app.store.access.visible_patients import every_patient
 from app.store.database import Database
@@ -75,7 +76,7 @@ class ScreensView(Document):
 
 
 class OfferView(Document):
-    """A link that pairs a screen."""
+    """A link that pairs a screen, or a phone as a sensor."""
 
     code: str
     url: str
@@ -152,10 +153,14 @@ async def offer(
     `message`: when only this machine can open the link.
     """
     session: PatientSession = await session_flow.needed_session()
-    offered = pairing.offer(session.id, person.name)
+    return await offer_view(settings, request, pairing.offer(session.id, person.name), "patient.html")
+
+
+async def offer_view(settings: Settings, request: Request, offered: PairingOffer, page: str) -> OfferView:
+    """Return the link by which a device opens `page` with a code, as a QR code, too."""
     address = await asyncio.to_thread(own_address, settings, request)
     # The part behind # is not sent to a server, so it appears in no log.
-    url = f"{address.base}patient.html#pair={offered.code}"
+    url = f"{address.base}{page}#pair={offered.code}"
     return OfferView(
         code=offered.code,
         url=url,

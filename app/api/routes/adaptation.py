@@ -17,6 +17,7 @@ from app.quantities import Document
 from app.scoring.trial_forecast import Effect
 from app.session.adaptation import NOT_ASKED, STALE, AdaptationFlow, AdaptationProposal, Mode
 from app.session.open_session import SessionFlow
+from app.source import SourceGroup
 from app.store.adaptation_material import is_current, mode_of
 from app.store.database import Database, Transaction
 from app.store.log import log_viewing
@@ -116,7 +117,7 @@ def _proposal_view(waiting: AdaptationProposal, labels: dict[str, str]) -> Propo
     )
 
 
-def _view(db: Transaction, flow: AdaptationFlow, patient_id: int, *, simulated: bool | None) -> AdaptationView:
+def _view(db: Transaction, flow: AdaptationFlow, patient_id: int, group: SourceGroup) -> AdaptationView:
     mode: Any = mode_of(db, patient_id)
     view = AdaptationView(
         mode=mode,
@@ -144,7 +145,7 @@ def _view(db: Transaction, flow: AdaptationFlow, patient_id: int, *, simulated: 
         waiting, why = None, STALE
     elif waiting.result.proposal.parameters is None:
         why = waiting.result.proposal.reason
-    practice = flow.practice.practice(db, patient_id, parameters.hash, simulated=simulated)
+    practice = flow.practice.practice(db, patient_id, parameters.hash, group)
     labels = {joint.name: joint.label for joint in parameters.profile.layout.joints}
     changed = {
         "version": profile.version,
@@ -171,7 +172,7 @@ class AdaptationState:
 
         def read() -> AdaptationView:
             with self.database.reading() as db:
-                return _view(db, self.flow, session.patient_id, simulated=self.session_flow.simulated)
+                return _view(db, self.flow, session.patient_id, self.session_flow.group)
 
         return await asyncio.to_thread(read)
 

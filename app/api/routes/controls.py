@@ -26,6 +26,7 @@ from app.session.real_arming import RealArming
 from app.speed_limits import Speeds
 from app.store.database import Database, Transaction
 from app.store.log import write_log
+from app.store.map_versions import source_of_map
 from app.store.parameters import (
     as_document,
     current_parameters,
@@ -135,7 +136,7 @@ class PatientControls:
             saved=saved_titles(db, patient_id),
             suggested=ControlsSuggestion(bindings=suggestion.bindings, reason=suggestion.reason),
             held=self.arming.lowered_speeds(parameters.speeds),
-            obstacle=ObstacleView.of(self.session_flow.obstacle(parameters, simulated=profile.simulated)),
+            obstacle=ObstacleView.of(self.session_flow.obstacle(parameters, source_of_map(db, profile))),
         )
 
     def _suggestion(self, patient_id: int) -> SuggestedVocabulary:

@@ -65,6 +65,7 @@ class StatusView(Document):
     alive: bool
     sample_rate: float
     lost: int
+    found: list[str]  # names of the sensors that the shirt has found, and that nobody has placed on the body
     realtime: list[Text | str]
     control: str
 
@@ -109,6 +110,7 @@ class ShirtKindView(Document):
     kind: str
     simulated: bool  # whether nobody wears it
     network: bool  # whether people choose the sender of its frames
+    may_arm: Text | str  # whether it may drive a real chair, with the reason
     form: dict[str, Any]  # the JSON schema of its configuration, of which the page makes the form
 
 
@@ -185,6 +187,7 @@ class EquipmentState:
                 alive=False,
                 sample_rate=equipment.sample_rate,
                 lost=0,
+                found=[],
                 realtime=[],
                 control=self.control.state,
             ), HeadTrackerView(config=config, message=text_of(refusal))
@@ -194,6 +197,7 @@ class EquipmentState:
             alive=bool(shirt.get("alive", False)),
             sample_rate=float(shirt.get("sample_rate") or equipment.sample_rate),
             lost=int(shirt.get("lost") or 0),
+            found=list(shirt.get("found") or ()),
             realtime=[from_document(sentence) for sentence in status.get("realtime", [])],
             control=self.control.state,
         )
@@ -225,7 +229,11 @@ def list_shirts(_person: Anyone) -> list[ShirtKindView]:
 def shirt_kind_view(kind: ShirtKind[Any]) -> ShirtKindView:
     """Return what a page needs of a kind of shirt."""
     return ShirtKindView(
-        kind=kind.name, simulated=kind.simulated, network=kind.is_on_network, form=kind.config.model_json_schema()
+        kind=kind.name,
+        simulated=kind.simulated,
+        network=kind.is_on_network,
+        may_arm=kind.may_arm,
+        form=kind.config.model_json_schema(),
     )
 
 

@@ -4,6 +4,8 @@ from fastapi import APIRouter, FastAPI, Request
 
 from app.api.deps import ForEveryone
 from app.api.field_limits import Limits, field_limits
+from app.api.live.camera_socket import IN_USE, UNWANTED
+from app.api.live.phone_socket import ELSEWHERE
 from app.api.live.screen_socket import TAKEN
 from app.api.sign_in.passwords import SHORTEST
 from app.api.sockets import SIGNED_OUT
@@ -82,6 +84,9 @@ class Numbers(Document):
     shortest_time_limit: float = SHORTEST_TIME  # s, of a new path
     signed_out: int = SIGNED_OUT  # close code of a socket whose sign-in has ended
     screen_in_use: int = TAKEN  # close code of a screen's socket: another one reports for that screen
+    camera_in_use: int = IN_USE  # close code of a camera's socket: another page is the camera
+    camera_unwanted: int = UNWANTED  # likewise: the shirt in use is no camera
+    phone_elsewhere: int = ELSEWHERE  # close code of a phone's socket: its page was opened once more
     lock_minutes: int = round(IDLE_FOR.total_seconds() / 60)  # without an action, after which a sign-in is locked
     armed: int = State.ARMED  # in the column `state` of a time line
     field_of_view: float = EyeSettings().fov_deg  # degrees, of a screen on which nobody has chosen one

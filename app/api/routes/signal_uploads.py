@@ -1,6 +1,5 @@
 """Uploads of recorded signals and bodies: check size, type, name and content."""
 
-import csv
 import re
 from functools import lru_cache
 from pathlib import Path
@@ -11,16 +10,16 @@ from fastapi import HTTPException
 from app.computing_process import ComputingProcess
 from app.quantities import Document
 from app.refusals import Unavailable
-from app.signals.csv_dialect import cells_of, separator_of
 from app.signals.parquet_names import MOST_NUMBERS, parquet_names
+from app.signals.table_form import HEAD, form_of_head
+from app.signals.time_names import time_names
 from app.store.files.name_conflicts import SameName
 from app.store.files.replacements import ReplacedFiles
 from app.texts import Text
 
 MOST_SIGNAL_BYTES = 64_000_000  # of a file
-HEADER = 65_536  # bytes of a CSV in which its first row must end
 KINDS = (".csv", ".parquet")
-KEPT = 100  # Parquet files of which the names are in memory: the list is asked for by every page
+KEPT = 100  # files of which the names are in memory: the list is asked for by every page
 
 FileKind = Literal["signals", "body", "head", "recording"]
 HEAD_COLUMNS = {"yaw_deg", "pitch_deg", "roll_deg"}
@@ -45,11 +44,7 @@ def list_files(folder: Path, computing: ComputingProcess) -> list[FileView]:
             files.append(FileView(name=file.name, kind="recording", size=size))
         elif file.is_file() and file.suffix in KINDS:
             status = file.stat()
-            if file.suffix == ".parquet":
-                columns = _names_of_file(computing, file, status.st_mtime_ns, status.st_size)
-            else:
-                with file.open("rb") as opened:
-                    columns = _csv_names(opened.read(HEADER))
+            columns = _names_of_file(computing, file, status.st_mtime_ns, status.st_size)
             if columns is not None:
                 files.append(FileView(name=file.name, kind=_kind(columns), size=status.st_size))
     return files
@@ -76,8 +71,8 @@ def keep_upload(
     if not data:
         raise HTTPException(422, Text("api-upload-empty", name=safe))
     # Check before writing: an unreadable file must not replace a good one of the same name.
-    columns = _parquet_names(computing, data) if safe.endswith(".parquet") else _csv_names(data[:HEADER])
-    if columns is None or "t" not in columns or len(columns) < 2:
+    columns = _parquet_names(computing, data) if safe.endswith(".parquet") else _csv_names(data[:HEAD])
+    if columns is None or not time_names(columns) or len(columns) < 2:
         raise HTTPException(422, Text("api-upload-columns", name=safe, count=MOST_NUMBERS))
     try:
         stored = shelf.put("file", safe, data, same_name)
@@ -99,8 +94,11 @@ def harmless_name(name: str) -> str:
 
 @lru_cache(maxsize=KEPT)
 def _names_of_file(computing: ComputingProcess, file: Path, _changed: int, _size: int) -> list[str] | None:
-    """Return the names of a Parquet file's columns; the same for as long as the file was not changed."""
-    return _parquet_names(computing, file)
+    """Return the names of a file's columns; the same for as long as the file was not changed."""
+    if file.suffix == ".parquet":
+        return _parquet_names(computing, file)
+    with file.open("rb") as opened:
+        return _csv_names(opened.read(HEAD))
 
 
 def _parquet_names(computing: ComputingProcess, source: Path | bytes) -> list[str] | None:
@@ -111,18 +109,18 @@ def _parquet_names(computing: ComputingProcess, source: Path | bytes) -> list[st
 
 
 def _csv_names(head: bytes) -> list[str] | None:
-    """Return the names of the columns of a CSV file that begins with `head`; None when unreadable."""
-    line = head.partition(b"\n")[0]
-    header = line.decode("utf-8-sig", "replace").rstrip("\r")
+    """Return the names of the columns of a table in text that begins with `head`; None when unreadable."""
     try:
-        return cells_of(header, separator_of(header))
-    except csv.Error:
+        form = form_of_head(head, "")
+    except ValueError:
         return None
+    return [name for name in form.names if name]
 
 
 def _kind(columns: list[str]) -> FileKind:
     """Return the kind of a file by its columns; those of a body are JOINT_x, JOINT_y, JOINT_z."""
-    others = [column for column in columns if column != "t"]
+    times = time_names(columns)
+    others = [column for column in columns if column not in times]
     if set(others) >= HEAD_COLUMNS:
         return "head"
     turns = {column[:-2] for column in others if column.endswith("_x")}

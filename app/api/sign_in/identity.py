@@ -12,6 +12,7 @@ from app.store.database import Database
 from app.store.patient_screens import find_screen
 
 COOKIE = "bodydrive_sign_in"
+PHONE_COOKIE = "bodydrive_phone"  # of a phone that is paired as a sensor: it gives access to nothing
 SCREEN_COOKIE = "bodydrive_screen"  # of a paired screen of the patient: it gives access to the patient's picture only
 
 
@@ -73,6 +74,17 @@ class PairedScreen:
     def sees(self, _patient_id: int | None) -> bool:
         """Return True: the screen is paired with the open session, and shows no other patient."""
         return True
+
+
+@dataclass(frozen=True, slots=True)
+class PairedPhone:
+    """A phone that is paired as a sensor."""
+
+    number: int
+
+    def sees(self, _patient_id: int | None) -> bool:
+        """Return False: a phone sends, and is shown nothing of a patient."""
+        return False
 
 
 def find_paired_screen(database: Database, connection: HTTPConnection) -> PairedScreen | None:

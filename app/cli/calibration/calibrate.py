@@ -12,9 +12,17 @@ from app.cli.common_options import AsJson
 from app.cli.errors import InputError
 from app.cli.help_text import help_text
 from app.cli.output import dialect_summary, print_dialect, warn, write_output
+from app.cli.signal_options import (
+    ChannelNames,
+    SampleRate,
+    TimeName,
+    TimeUnit,
+    reading_options,
+    signals_refused,
+)
 from app.number_format import percent
 from app.plain_table import BETWEEN, column_widths, table_lines
-from app.texts import Figure, Text, text_of, value_text
+from app.texts import Figure, Text, value_text
 
 if TYPE_CHECKING:
     from app.calibration.gestures.discovery import Discovery
@@ -54,6 +62,10 @@ def calibrate(
     prior: Annotated[Path | None, typer.Option(help=help_text("cli-help-calibrate-prior"))] = None,
     chosen: Annotated[MapChoice, typer.Option("--map", help=help_text("cli-help-calibrate-map"))] = "pca",
     gestures: Annotated[bool, typer.Option("--gestures", help=help_text("cli-help-calibrate-gestures"))] = False,
+    time: TimeName = None,
+    unit: TimeUnit = None,
+    rate: SampleRate = None,
+    channels: ChannelNames = None,
     as_json: AsJson = False,
 ) -> None:
     """Fit a calibration profile to a file of signals: per joint its main movement, span, sign and thresholds."""
@@ -66,13 +78,14 @@ def calibrate(
     from app.cli.calibration.file_fit import fit_file, window
     from app.signals.signals import read_layout, read_signals
 
+    options = reading_options(time, unit, rate, channels)
     try:
         shirt = read_layout(layout)
-        recorded = read_signals(signals, shirt)
+        recorded = read_signals(signals, shirt, options)
         rows = [] if prompts is None else read_prompts(prompts, shirt, float(recorded.t[0]), float(recorded.t[-1]))
         pool = None if prior is None else MapPrior.of(read_prior(prior))
     except ValueError as error:
-        raise InputError(text_of(error)) from error
+        raise signals_refused(error) from error
     free = window(signals, recorded, "from", start, "to", end)
     has_rest = rest_start is not None or rest_end is not None
     rest = window(signals, recorded, "rest-from", rest_start, "rest-to", rest_end) if has_rest else None

@@ -14,6 +14,14 @@ from app.cli.common_options import COMMAND_LINE, AsJson, State, settings_of
 from app.cli.errors import InputError
 from app.cli.help_text import help_text
 from app.cli.output import write_output
+from app.cli.signal_options import (
+    ChannelNames,
+    SampleRate,
+    TimeName,
+    TimeUnit,
+    reading_options,
+    signals_refused,
+)
 from app.features import names
 from app.number_format import percent
 from app.plain_table import table_lines
@@ -40,6 +48,10 @@ def add(
     prompts: Annotated[list[Path], typer.Option(help=help_text("cli-help-prior-add-prompts"))],
     person: Person,
     start: Annotated[float | None, typer.Option("--from", help=help_text("cli-help-prior-add-from"))] = None,
+    time: TimeName = None,
+    unit: TimeUnit = None,
+    rate: SampleRate = None,
+    channels: ChannelNames = None,
     as_json: AsJson = False,
 ) -> None:
     """Add a person's recordings to a prior. A person who is in it already is replaced."""
@@ -51,6 +63,7 @@ def add(
     from app.signals.signals import read_layout
 
     check_code(person)
+    options = reading_options(time, unit, rate, channels)
     if len(prompts) != len(signals):
         raise InputError(Text("cli-prior-one-table-each", recordings=len(signals), tables=len(prompts)))
     try:
@@ -59,12 +72,14 @@ def add(
         if not isinstance(document, OwnPrior):
             raise InputError(Text("cli-prior-add-to-release", prior=str(prior)))
         check_layout(document.layout, shirt)
-        recordings = [read_recording(file, table, shirt, start) for file, table in zip(signals, prompts, strict=True)]
+        recordings = [
+            read_recording(file, table, shirt, start, options) for file, table in zip(signals, prompts, strict=True)
+        ]
         entry = person_entry(recordings)
     except PriorError as error:
         raise InputError(Text("cli-named", name=f"{prior}, {layout}", text=error)) from error
     except ValueError as error:
-        raise InputError(text_of(error)) from error
+        raise signals_refused(error) from error
     replaced = person in document.people
     document = document.with_person(person, entry)
     write_document(prior, document, *signals, *prompts, layout)
@@ -236,7 +251,7 @@ def import_prior(
     document = read_document(prior)
     if not isinstance(document, OwnPrior):
         raise InputError(Text("cli-prior-import-release", prior=str(prior)))
-    shirt = Garment(document.layout, False, None).hash
+    shirt = Garment(document.layout, "worn", None).hash
     with open_clinic(settings) as (database, _), database.transaction() as db:
         _require_clinic(db, settings)
         if not is_prior_on(db):
@@ -265,7 +280,7 @@ def _own_prior(db: "Transaction", layout: "ShirtLayout", *, to_share: bool) -> "
     from app.features.prior.entries import releases_of, without_releases, worn_entries
     from app.session.calibration.garment import Garment
 
-    shirt = Garment(layout, False, None).hash
+    shirt = Garment(layout, "worn", None).hash
     entries = worn_entries(db, shirt, to_share=to_share)
     if not entries:
         count = len(worn_entries(db, shirt, to_share=False))
@@ -297,7 +312,7 @@ def _write_release(db: "Transaction", own_prior: "OwnPrior", out: Path, layout: 
         document, people, left_out = release([own_prior])
     except PriorError as error:
         raise InputError(Text("cli-prior-no-release", problem=error)) from error
-    shirt = Garment(own_prior.layout, False, None).hash
+    shirt = Garment(own_prior.layout, "worn", None).hash
     for code in own_prior.people:
         _mark_released(db, code, shirt, people)
     write_output(out, bytes_of(document), layout)

@@ -18,7 +18,7 @@ from app.cli.output import warn, write_output
 from app.files import write_atomically
 from app.layout import ShirtLayout
 from app.quantities import Name
-from app.signals.signals import read_signals
+from app.signals.signals import ReadingOptions, read_signals
 from app.texts import Text, text_of
 
 
@@ -38,9 +38,11 @@ def write_release(priors: list[Path], documents: list[PriorDocument], out: Path)
         typer.echo(Text("cli-prior-left-out", names=", ".join(left_out)))
 
 
-def read_recording(file: Path, table: Path, shirt: ShirtLayout, start: float | None) -> CleanRecording:
+def read_recording(
+    file: Path, table: Path, shirt: ShirtLayout, start: float | None, options: ReadingOptions
+) -> CleanRecording:
     """Return the recording of a person with the stretches of its prompts; free movement begins at `start` (s)."""
-    recorded = read_signals(file, shirt)
+    recorded = read_signals(file, shirt, options)
     warn(recorded.damage)
     stretches = prompted_stretches(recorded, read_prompts(table, shirt, float(recorded.t[0]), float(recorded.t[-1])))
     free = recorded.values[recorded.between(start, None)]

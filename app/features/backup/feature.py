@@ -6,17 +6,18 @@ from app.features.backup.tables import MadeBackup, NightBackupSettings
 from app.features.registration import Feature
 
 if TYPE_CHECKING:
+    from app.api.parts import Parts
     from app.features.registration import Background
     from app.news import Notify
+
+
+def night_backups(parts: "Parts", notify: "Notify") -> "Background":
+    """Return what makes the backup of every night."""
+    from app.features.backup.night_backups import NightBackups
     from app.settings import Settings
     from app.store.database import Database
 
-
-def night_backups(database: "Database", settings: "Settings", notify: "Notify") -> "Background":
-    """Return what makes the backup of every night."""
-    from app.features.backup.night_backups import NightBackups
-
-    return NightBackups(database, settings, notify)
+    return NightBackups(parts[Database], parts[Settings], notify)
 
 
 FEATURE: Final = Feature(

@@ -62,8 +62,8 @@ def write_bids(run: RunGroups, facts: dict[str, Any], folder: Path, place: dict[
     where = folder / subject / session / "motion"
     where.mkdir(parents=True, exist_ok=True)
     entities = f"{subject}_{session}_task-{label(place['task'])}"
-    names = channel_names(run.meta)
-    shirt = [(name, "n/a", "MISC", "n/a", "V") for name in names]
+    units = [channel.get("unit") or "V" for channel in run.meta["layout"]["channels"]]
+    shirt = [(name, "n/a", "MISC", "n/a", unit) for name, unit in zip(channel_names(run.meta), units, strict=True)]
     systems = {"shirt": shirt, "wheelchair": list(CHAIR.values())}
     stems = {name: where / f"{entities}_tracksys-{name}_run-{place['run']:03d}" for name in systems}
     spans = dict.fromkeys(systems, Span())

@@ -115,7 +115,7 @@ def _recorded_with(folder: Path) -> str:
 
 TRIAL_ABOUT = (
     *("patient", "session", "run", "trial", "floor_plan", "path", "started", "end", "kept", "reason_left_out"),
-    *("source", "simulated", "map_version", "parameters_hash", "software", "exported_with"),
+    *("source", "shirt", "simulated", "map_version", "parameters_hash", "software", "exported_with"),
     *("origin_clinic", "imported_by", "imported"),
 )
 
@@ -146,7 +146,7 @@ def _trial_cells(code: str, run: RecordedRun, verdicts: dict[int, dict[str, str]
     assert trial is not None
     yield from (code, run.session, run.number, trial.number, trial.title, trial.path)
     yield from (trial.started.isoformat(), trial.end or "", "yes" if trial.kept else "no", trial.reason or "")
-    yield from (source_description(run.source), SIMULATED_WORDS[run.source.simulated])
+    yield from (source_description(run.source), run.source.shirt, SIMULATED_WORDS[run.source.simulated])
     yield from (trial.map_version, trial.parameters_hash, _recorded_with(run.folder), __version__)
     yield from ("", "", "") if (origin := run.origin) is None else (origin.clinic, origin.person, origin.at.isoformat())
     for name in EXPORTED:
@@ -156,7 +156,7 @@ def _trial_cells(code: str, run: RecordedRun, verdicts: dict[int, dict[str, str]
 
 
 TEST_ABOUT = (
-    *("patient", "session", "run", "test", "started", "end", "source", "simulated"),
+    *("patient", "session", "run", "test", "started", "end", "source", "shirt", "simulated"),
     *("map_version", "parameters_hash", "software", "exported_with"),
 )
 
@@ -173,7 +173,7 @@ def interface_test_csv(code: str, runs: tuple[RecordedRun, ...]) -> str:
 
 def _test_cells(code: str, run: RecordedRun, test: RecordedTest) -> Iterator[str | float | None]:
     yield from (code, run.session, run.number, test.number, test.started.isoformat(), test.end or "")
-    yield from (source_description(run.source), SIMULATED_WORDS[run.source.simulated])
+    yield from (source_description(run.source), run.source.shirt, SIMULATED_WORDS[run.source.simulated])
     yield from (test.map_version, test.parameters_hash, _recorded_with(run.folder), __version__)
     yield from (test.measures.get(name) for name in TEST_MEASURES)
     yield from (test.workload.get(name) for name in Workload.model_fields)

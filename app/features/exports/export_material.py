@@ -113,6 +113,7 @@ def run_facts(code: str, run: RecordedRun, meta: dict[str, Any], damage: str) ->
         "test": "" if run.test is None else str(run.test.number),
         "started": run.started.isoformat(),
         "source": source_description(run.source),
+        "shirt": run.source.shirt,
         "simulated": SIMULATED_WORDS[run.source.simulated],
         "software": str(meta.get("software", "unknown")),
         "parameters_hash": "" if done is None else done.parameters_hash,

@@ -19,8 +19,8 @@ from app.store.tables import Patient, PatientSession
 class ClinicPrior:
     """The prior for the patient of a session, and what this patient adds to it for others.
 
-    A worn shirt learns from worn ones only, a simulated one from the same simulated shirt only. The standard simulated
-    shirt has a prior that ships with the program.
+    A worn shirt learns from worn ones only, a camera from cameras, a simulated shirt from the same simulated shirt. The
+    standard simulated shirt has a prior that ships with the program.
     """
 
     def __init__(self, database: Database) -> None:

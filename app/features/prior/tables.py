@@ -16,7 +16,7 @@ class PriorEntry(Table):
     __table_args__ = (UniqueConstraint("patient_id", "shirt", "simulated"),)
     id: Mapped[int] = mapped_column(primary_key=True)
     patient_id: Mapped[int] = mapped_column(ForeignKey("patient.id"))
-    shirt: Mapped[str] = mapped_column(String(64))  # hash of its layout, and of which simulated shirt it is
+    shirt: Mapped[str] = mapped_column(String(64))  # hash of its layout, its group, and which simulated shirt it is
     simulated: Mapped[bool]  # whether nobody wore the shirt
     document: Mapped[dict[str, Any]]
     made: Mapped[datetime]

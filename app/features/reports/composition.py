@@ -306,7 +306,6 @@ METHODS: Final = {
     "guided": Text("report-method-guided"),
     "prior": Text("report-method-prior"),
 }
-BODIES: Final = {True: "simulated", False: "worn", None: "unknown"}
 CONTROLS_HEAD: Final = (
     *(Text("report-controls-control"), Text("report-controls-movement"), Text("report-controls-from")),
     *(Text("report-controls-full"), Text("report-controls-gain")),
@@ -324,7 +323,7 @@ def _condition_facts(parameters: ParameterMaterial) -> tuple[Fact, ...]:
         origin=parameters.origin,
         parent=parameters.parent or 0,
         methods=[method for name, method in METHODS.items() if name in maps] or [METHODS["pca"]],
-        body=BODIES[parameters.simulated],
+        source=parameters.calibrated,
     )
     modes = Text("report-modes", forward=settings.get("mode_u1", ""), turning=settings.get("mode_u2", ""))
     return (

@@ -19,6 +19,7 @@ from app.store.database import Database, Transaction
 from app.store.interface_tests import interface_tests_of
 from app.store.learning_trials import CountedTrial, counted_trials
 from app.store.log_chain import ChainHead
+from app.store.map_versions import source_of_map
 from app.store.origins import Origin, origins_of
 from app.store.patients import find_patient, sessions_of
 from app.store.session_contents import trials_of_session
@@ -92,7 +93,7 @@ class ParameterMaterial:
     origin: str
     parent: int | None
     others: int  # sets
-    simulated: bool | None
+    calibrated: SourceGroup  # of the recordings that it was calibrated with
 
 
 @dataclass(frozen=True, slots=True)
@@ -257,5 +258,5 @@ def _parameters(db: Transaction, driven: list[Trial | ReportedDrive]) -> Paramet
         origin=profile.origin,
         parent=profile.parent,
         others=len({used.parameters_id for used in driven}) - 1,
-        simulated=profile.simulated,
+        calibrated=source_of_map(db, profile),
     )

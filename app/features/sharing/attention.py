@@ -20,6 +20,7 @@ from app.source import SourceGroup
 from app.store.access.visible_patients import own_clinic_id
 from app.store.log import write_log
 from app.store.patients import all_patients
+from app.store.run_groups import RUN_GROUP
 from app.store.tables import COUNTED, Drive, Patient, PatientSession, Run, Trial
 
 DeteriorationsPart = Annotated[Deteriorations, Depends(part(Deteriorations))]
@@ -28,7 +29,6 @@ router = APIRouter(tags=["review"])
 
 LONG = timedelta(days=28)  # without a session
 RECENT = timedelta(days=28)  # for trials and drives that halted
-GROUPS: dict[bool | None, SourceGroup] = {False: "worn", True: "simulated", None: "unknown"}
 
 
 def patients_and_reasons(db: Session, person_id: int) -> list[tuple[Patient, list[Attention]]]:
@@ -65,14 +65,14 @@ def patients_and_reasons(db: Session, person_id: int) -> list[tuple[Patient, lis
 def tasks_of(db: Session, patient_id: int) -> list[tuple[str, str, SourceGroup]]:
     """Return the tasks (floor plan, path, source) of a patient in which a trial counts."""
     query = (
-        select(Trial.floorplan, Trial.path, Run.simulated)
+        select(Trial.floorplan, Trial.path, RUN_GROUP)
         .join(Run, Run.id == Trial.run_id)
         .where(Trial.clinic_id == own_clinic_id(db), Trial.patient_id == patient_id)
         .where(Trial.kept.is_(True), Trial.status == "done")
         .distinct()
         .order_by(Trial.floorplan, Trial.path)
     )
-    return [(floorplan, path, GROUPS[simulated]) for floorplan, path, simulated in db.execute(query)]
+    return [(floorplan, path, group) for floorplan, path, group in db.execute(query)]
 
 
 def counted_tasks(db: Session) -> list[CountedTask]:
@@ -80,7 +80,7 @@ def counted_tasks(db: Session) -> list[CountedTask]:
 
     The condition is that of the index `ix_trial_counted`, so that no trial is read for it.
     """
-    task = (Trial.patient_id, Trial.floorplan, Trial.path, Run.simulated)
+    task = (Trial.patient_id, Trial.floorplan, Trial.path, RUN_GROUP)
     counted = (
         select(*task, func.group_concat(Trial.id))
         .join(Run, Run.id == Trial.run_id)
@@ -88,8 +88,8 @@ def counted_tasks(db: Session) -> list[CountedTask]:
         .group_by(*task)
     )
     return [
-        CountedTask(patient, floorplan, path, GROUPS[simulated], ",".join(sorted(trials.split(","), key=int)))
-        for patient, floorplan, path, simulated, trials in db.execute(counted)
+        CountedTask(patient, floorplan, path, group, ",".join(sorted(trials.split(","), key=int)))
+        for patient, floorplan, path, group, trials in db.execute(counted)
     ]
 
 

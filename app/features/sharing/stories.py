@@ -50,15 +50,15 @@ def _done(db: Session, session: PatientSession) -> Iterator[StoryEvent]:
             "end": trial.end,
             "kept": trial.kept,
             "discard_reason": None if trial.discard_reason is None else str(trial.discard_reason),
-            "simulated": trial.run.simulated,
+            "source": trial.run.source.group,
             **interruptions_of(trial.measures),
         }
         yield StoryEvent(trial.started, "trial", None, trial.place_title, facts)
     for test in interface_tests_of_session(db, session.id):
-        facts = {"id": test.id, "number": test.number, "end": test.end, "simulated": test.run.simulated}
+        facts = {"id": test.id, "number": test.number, "end": test.end, "source": test.run.source.group}
         yield StoryEvent(test.started, "test", None, "", facts)
     for drive in drives_of_session(db, session.id):
-        facts = {"id": drive.id, "end": drive.end, "distance": drive.distance, "simulated": drive.run.simulated}
+        facts = {"id": drive.id, "end": drive.end, "distance": drive.distance, "source": drive.run.source.group}
         yield StoryEvent(drive.started, "drive", None, "", facts)
     yield from _stops(db, session)
     if session.ended is not None:

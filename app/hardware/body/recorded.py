@@ -84,19 +84,15 @@ def principal_postures(rotations: NDArray[np.float64]) -> tuple[NDArray[np.float
 
 def _postures(file: Path, joints: tuple[str, ...]) -> tuple[float, NDArray[np.float64]]:
     """Return the time between samples (s) and the postures (n, n_joints) of a recording."""
-    from app.signals.columns import read_columns, require_column  # noqa: PLC0415  (loads pyarrow, which other bodies do without)
+    from app.signals.timed_table import read_timed  # noqa: PLC0415  (loads pyarrow, which other bodies do without)
 
     try:
-        table = read_columns(file)
-        t = require_column(table, file, "t")
-        named = [joint for joint in joints if any(f"{joint}_{axis}" in table for axis in AXES)]
+        t, table = read_timed(file)
+        named = [joint for joint in joints if any(f"{joint}_{axis}" in table.columns for axis in AXES)]
         if not named:
             columns = ", ".join(f"{ARM_JOINTS[0]}_{axis}" for axis in AXES)
             raise ValueError(Text("bodydev-file-no-joint", file=str(file), columns=columns))
-        rotations = {
-            joint: np.stack([require_column(table, file, f"{joint}_{axis}") for axis in AXES], axis=1)
-            for joint in named
-        }
+        rotations = {joint: np.stack([table.numbers(f"{joint}_{axis}") for axis in AXES], axis=1) for joint in named}
     except ValueError as error:
         raise HardwareError(text_of(error)) from error
     steps = np.diff(t)

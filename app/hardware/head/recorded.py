@@ -10,7 +10,7 @@ from app.clock import Clock
 from app.hardware.base import HardwareError
 from app.hardware.configs import RecordedHeadConfig
 from app.messages import HeadPose
-from app.signals.columns import read_columns, require_column
+from app.signals.timed_table import read_timed
 from app.texts import Text, text_of
 
 COLUMNS = ("yaw_deg", "pitch_deg", "roll_deg")  # left, up and right positive
@@ -64,9 +64,8 @@ class RecordedHead:
 def _read(file: Path) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
     """Return times from 0 (n,) s and angles (n, 3) rad."""
     try:
-        table = read_columns(file, only=("t", *COLUMNS))
-        t = require_column(table, file, "t")
-        angles = np.radians(np.column_stack([require_column(table, file, name) for name in COLUMNS]))
+        t, table = read_timed(file, COLUMNS)
+        angles = np.radians(np.column_stack([table.numbers(name) for name in COLUMNS]))
     except ValueError as error:
         raise HardwareError(text_of(error)) from error
     if len(t) < 2 or np.any(np.diff(t) <= 0) or t[-1] - t[0] < SHORTEST:

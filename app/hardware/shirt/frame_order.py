@@ -68,9 +68,11 @@ class Lateness:
     from the first frame on cannot be seen in this way.
     """
 
-    __slots__ = ("_least", "_microseconds", "_t", "_wrapped")
+    __slots__ = ("_forgiven", "_least", "_microseconds", "_t", "_wrapped")
 
-    def __init__(self) -> None:
+    def __init__(self, forgiven: float = FORGIVEN) -> None:
+        """`forgiven` (s per s) is how much the two clocks may differ in pace."""
+        self._forgiven = forgiven
         self.forget()
 
     def forget(self) -> None:
@@ -91,7 +93,7 @@ class Lateness:
         if self._microseconds < WRAP and self._microseconds - microseconds > WRAP // 2:
             self._wrapped += WRAP
         delay = t - 1e-6 * (microseconds + self._wrapped)
-        self._least = min(self._least + FORGIVEN * (t - self._t), delay)
+        self._least = min(self._least + self._forgiven * (t - self._t), delay)
         self._microseconds, self._t = microseconds, t
         late = delay - self._least
         return late if late > LATE else 0.0

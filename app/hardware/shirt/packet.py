@@ -2,6 +2,7 @@
 
 import hmac
 from struct import Struct
+from typing import Final
 from zlib import crc32
 
 import numpy as np
@@ -27,6 +28,9 @@ LONGEST = HEADER.size + SIGNER.size + 4 * MAX_CHANNELS + TAG_BYTES + CHECKSUM.si
 
 Packet = tuple[int, int, NDArray[np.float32]]
 """Seq, device time in microseconds, values (n_channels,)."""
+
+KEY_REFUSALS: Final = frozenset({"shirtdev-frame-needs-key", "shirtdev-frame-not-signed"})
+"""The ids of the reasons of `refusal` that another key, or the paired one, would mend."""
 
 _PARTS = HEADER.unpack_from
 _NUMBER = CHECKSUM.unpack_from

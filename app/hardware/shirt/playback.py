@@ -3,8 +3,9 @@
 import math
 import re
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from pathlib import Path
+from typing import TYPE_CHECKING
 
 import numpy as np
 from numpy.typing import NDArray
@@ -14,7 +15,11 @@ from app.hardware.base import HardwareError
 from app.hardware.body.minimum_jerk import minimum_jerk
 from app.layout import Channel, Joint, ShirtLayout
 from app.sentences import one_sentence
+from app.signals.column_names import bare_name, columns_of_channels
 from app.texts import Text, text_of
+
+if TYPE_CHECKING:
+    from app.signals.signals import ReadingOptions
 
 BLEND = 0.5  # s over which the end of a looped recording is blended into its beginning
 LONGEST_LOSS = 1 << 20  # frames: a larger step of the counter means that the device was restarted
@@ -35,10 +40,14 @@ class FrameFile:
     note: Text | None = None  # what was mended or is missing in the times of the file
 
 
-def read_frames(path: str | Path) -> FrameFile:
-    """Read the folder of a recorded run, or a CSV or Parquet file of signals.
+def read_frames(
+    path: str | Path, options: "ReadingOptions | None" = None, layout: ShirtLayout | None = None
+) -> FrameFile:
+    """Read the folder of a recorded run, or a file of signals; `options` correct what the file says of itself.
 
-    A file's layout is `NAME.layout.json` or `layout.json` beside it; without one, channels named JOINT_NUMBER make one.
+    A `layout` names the channels by the names of the file's columns, or, where it has others, in their order. Without
+    it, that of a run is its own, and that of a file `NAME.layout.json` or `layout.json` beside it; without such a file,
+    channels named JOINT_NUMBER make one.
 
     Raises
     ------
@@ -47,13 +56,13 @@ def read_frames(path: str | Path) -> FrameFile:
     """
     path = Path(path)
     try:
-        return _read_recording(path) if path.is_dir() else _read_file(path)
+        return _read_recording(path, layout) if path.is_dir() else _read_file(path, options, layout)
     except ValueError as error:
         raise HardwareError(text_of(error)) from error
 
 
 def layout_from_names(path: Path, names: Sequence[str]) -> ShirtLayout:
-    """Return a layout for channels that are named after their joints: right_elbow_1, right_elbow_2 ...
+    """Return a layout for channels that are named after their joints, apart from a unit: right_elbow_1 [mV] ...
 
     Raises
     ------
@@ -62,11 +71,12 @@ def layout_from_names(path: Path, names: Sequence[str]) -> ShirtLayout:
     """
     channels = []
     for name in names:
-        match = CHANNEL_OF_JOINT.fullmatch(name)
+        bare, _ = bare_name(name)
+        match = CHANNEL_OF_JOINT.fullmatch(bare)
         if match is None:
             layout = f"{path.stem}.layout.json"
             raise ValueError(Text("shirtdev-file-no-joint", file=str(path), column=name, layout=layout))
-        channels.append(Channel(name=name, joint=match["joint"]))
+        channels.append(Channel(name=bare, joint=match["joint"]))
     joints = tuple(dict.fromkeys(channel.joint for channel in channels))
     return ShirtLayout(
         name=path.stem[:80],
@@ -111,15 +121,31 @@ class FramePlayer:
         return frame
 
 
-def _read_file(path: Path) -> FrameFile:
-    from app.signals.signals import read_layout, read_signals  # noqa: PLC0415  (loads pyarrow, which other shirts do not need)
+def layout_beside(path: Path) -> ShirtLayout | None:
+    """Return the layout that lies beside a file of signals; None where there is none.
 
-    beside = next((file for file in _layouts_beside(path) if file.exists()), None)
-    if beside is not None and path.exists():
-        layout = read_layout(beside)
-        signals = read_signals(path, layout)
+    Raises
+    ------
+    ValueError
+        One sentence when it cannot be read.
+    """
+    from app.signals.signals import read_layout  # noqa: PLC0415  (loads pyarrow, which other shirts do not need)
+
+    places = (path.with_name(f"{path.stem}.layout.json"), path.with_name("layout.json"))
+    file = next((place for place in places if place.exists()), None)
+    return read_layout(file) if file is not None and path.is_file() else None
+
+
+def _read_file(path: Path, options: "ReadingOptions | None", layout: ShirtLayout | None) -> FrameFile:
+    from app.signals.signals import AS_THE_FILE_SAYS, read_signals  # noqa: PLC0415  (loads pyarrow)
+
+    options = options or AS_THE_FILE_SAYS
+    if layout is None:
+        layout = layout_beside(path)
     else:
-        signals = read_signals(path)
+        options = _with_columns(path, layout, options)
+    signals = read_signals(path, layout, options)
+    if layout is None:
         try:
             layout = layout_from_names(path, signals.channel_names)
         except ValidationError as error:
@@ -129,18 +155,26 @@ def _read_file(path: Path) -> FrameFile:
     return FrameFile(path.name, layout, signals.sample_rate, t, seq, signals.values.astype(np.float32), signals.damage)
 
 
-def _layouts_beside(path: Path) -> tuple[Path, Path]:
-    return path.with_name(f"{path.stem}.layout.json"), path.with_name("layout.json")
+def _with_columns(path: Path, layout: ShirtLayout, options: "ReadingOptions") -> "ReadingOptions":
+    """Return options that name the columns in their order when these are not named as the layout's channels."""
+    from app.signals.columns import named_columns  # noqa: PLC0415  (loads pyarrow)
+    from app.signals.signals import read_signals  # noqa: PLC0415
+
+    names = layout.channel_names
+    if options.channels is not None or len(columns_of_channels(names, named_columns(path).names)) == len(names):
+        return options
+    return replace(options, channels=tuple(read_signals(path, options=options).channel_names))
 
 
-def _read_recording(folder: Path) -> FrameFile:
+def _read_recording(folder: Path, layout: ShirtLayout | None) -> FrameFile:
     from app.recording.reader import read_run  # noqa: PLC0415  (loads pyarrow, which other shirts do not need)
 
     run = read_run(folder)
     frames = run.frames()
     if len(frames["t"]) < FEWEST:
         raise ValueError(Text("shirtdev-recording-short", folder=str(folder), frames=len(frames["t"])))
-    layout, sample_rate = _described(folder, run.meta)
+    described, sample_rate = _described(folder, run.meta)
+    layout = layout or described
     t = frames["t_device"]
     if not (np.isfinite(t).all() and (np.diff(t) > 0).all()):  # the device was restarted: use the times of arrival
         t = frames["t"]

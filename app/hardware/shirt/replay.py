@@ -3,9 +3,22 @@
 import math
 from typing import Annotated, Literal
 
+from pydantic import Field
+
+from app.arrivals import Arrivals
 from app.clock import Clock
 from app.hardware.base import HardwareError
-from app.hardware.shirt.kind import FieldTexts, ShirtConfig, ShirtKind, SignalFile, Trust, page_texts
+from app.hardware.shirt.arrival_watch import GOOD
+from app.hardware.shirt.kind import (
+    FieldTexts,
+    OwnLayout,
+    ShirtConfig,
+    ShirtKind,
+    SignalFile,
+    SourceFacts,
+    Trust,
+    page_texts,
+)
 from app.hardware.shirt.playback import FrameFile, FramePlayer, read_frames
 from app.layout import ShirtLayout
 from app.messages import SensorFrame
@@ -21,11 +34,17 @@ class ReplayConfig(ShirtConfig):
         Text("shirtdev-replay-title"),
         about=Text("shirtdev-replay-about"),
         in_use=Text("shirtdev-replay-in-use", file="{file}"),
+        facts=SourceFacts(Text("shirtdev-replay-needs"), Text("shirtdev-replay-costs"), Text("shirtdev-replay-takes")),
     )
 
     kind: Literal["replay"]
     file: SignalFile
     loop: Annotated[bool, FieldTexts(Text("shirtdev-replay-loop"))] = True
+    layout: Annotated[
+        OwnLayout | None,
+        Field(json_schema_extra={"format": "layout"}),
+        FieldTexts(Text("shirtdev-layout"), Text("shirtdev-replay-layout-hint")),
+    ] = None  # None: the layout that the file has
 
 
 class ReplayedShirt:
@@ -57,7 +76,7 @@ class ReplayedShirt:
         Raises
         ------
         HardwareError
-            When the file is missing, cannot be read, or does not name the joint of each channel.
+            When the file is missing, cannot be read, or, without a layout, does not name the joint of each channel.
         """
         self._player = FramePlayer(self._read(), self._config.loop)
         self.lost = self._next_seq = 0
@@ -103,6 +122,13 @@ class ReplayedShirt:
             note=self._file.note or "none",
         )
 
+    def arrivals(self) -> Arrivals:
+        """Return whether frames still come of the file."""
+        if self._player is None:
+            return Arrivals("gone", self.description())
+        has_ended = math.isinf(self._player.due)
+        return Arrivals("ended", self.description()) if has_ended else Arrivals("arrives", GOOD)
+
     def close(self) -> None:
         """End the replay."""
         self._player = None
@@ -110,7 +136,7 @@ class ReplayedShirt:
     def _read(self) -> FrameFile:
         if self._file is None:
             try:
-                self._file = read_frames(self._config.file)
+                self._file = read_frames(self._config.file, layout=self._config.layout)
             except OSError as error:
                 raise HardwareError(
                     Text("shirtdev-replay-failed", file=self._config.file, why=error.strerror or "")

@@ -1,6 +1,7 @@
 """Choose which sender is the shirt: that of the first good frame, until a person chooses another (safety S23)."""
 
 MOST = 8  # other senders whose addresses are kept; frames of more senders are only counted
+SHIRT_SENDER_SILENCE = 2.0  # s until another sender is accepted: longer than a shirt may be silent while armed (S4)
 
 Address = tuple[str, int] | tuple[str, int, int, int]
 """A sender as a socket returns it: host and port first."""

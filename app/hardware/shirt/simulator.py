@@ -10,7 +10,7 @@ from pydantic.config import JsonDict
 from app.clock import Clock
 from app.hardware.base import Body, BodyView, HardwareError
 from app.hardware.body.minimum_jerk import minimum_jerk
-from app.hardware.shirt.kind import FieldTexts, ShirtConfig, ShirtKind, ShirtRate, Trust, page_texts
+from app.hardware.shirt.kind import FieldTexts, ShirtConfig, ShirtKind, ShirtRate, SourceFacts, Trust, page_texts
 from app.hardware.shirt.simulated_fabric import Fabric
 from app.hardware.shirt.standard import standard_layout
 from app.layout import ShirtLayout
@@ -38,6 +38,9 @@ class SimulatorConfig(ShirtConfig):
         Text("shirtdev-simulator-title"),
         about=Text("shirtdev-simulator-about"),
         in_use=Text("shirtdev-simulator-in-use", rate="{sample_rate}"),
+        facts=SourceFacts(
+            Text("shirtdev-simulator-needs"), Text("shirtdev-simulator-costs"), Text("shirtdev-simulator-takes")
+        ),
     )
 
     kind: Literal["simulator"]

@@ -1,4 +1,4 @@
-"""The shirt of the paper: 52 channels over shoulders, elbows and wrists."""
+"""The layouts that are installed with the application, such as that of the paper's shirt with 52 channels."""
 
 from pydantic import ValidationError
 
@@ -12,14 +12,19 @@ STANDARD_SHIRT = "bodydrive-52.json"
 
 
 def standard_layout() -> ShirtLayout:
-    """Return the layout that is installed with the application.
+    """Return the layout of the paper's shirt, as `bundled_layout` does."""
+    return bundled_layout(STANDARD_SHIRT)
+
+
+def bundled_layout(name: str) -> ShirtLayout:
+    """Return the layout of this file name that is installed with the application.
 
     Raises
     ------
     HardwareError
         When its file is missing or broken, so that the installation is incomplete.
     """
-    file = data_folder() / "shirts" / STANDARD_SHIRT
+    file = data_folder() / "shirts" / name
     try:
         return ShirtLayout.model_validate_json(file.read_bytes())
     except OSError as error:

@@ -9,11 +9,13 @@ from typing import Annotated, Literal
 
 from pydantic import Field
 
+from app.arrivals import Arrivals, ArrivalVerdict
 from app.clock import Clock
 from app.hardware.addresses import Host
 from app.hardware.base import HardwareError
 from app.hardware.chair.key import Key, KeyRefused, read_key
 from app.hardware.chair.link_texts import lost_key, refusal_text
+from app.hardware.shirt.arrival_watch import GOOD, WAITING, ArrivalWatch, LeftOut, RateMeter
 from app.hardware.shirt.frame_order import Lateness, Sequence
 from app.hardware.shirt.kind import (
     FieldTexts,
@@ -22,21 +24,21 @@ from app.hardware.shirt.kind import (
     ShirtKey,
     ShirtKind,
     ShirtRate,
+    SourceFacts,
     Trust,
     page_texts,
 )
 from app.hardware.shirt.newest_frame import NewestFrame, newest_file
-from app.hardware.shirt.packet import LONGEST, Packet, decode, decode_signed, refusal
-from app.hardware.shirt.sender_choice import Address, SenderChoice
+from app.hardware.shirt.packet import KEY_REFUSALS, LONGEST, Packet, decode, decode_signed, refusal
+from app.hardware.shirt.sender_choice import SHIRT_SENDER_SILENCE, Address, SenderChoice, address_text
 from app.hardware.shirt.standard import standard_layout
+from app.hardware.shirt.udp_socket import bound_socket, reach_of
 from app.messages import ALIVE, SensorFrame
 from app.ports import SHIRT_PORT
 from app.quantities import Port
 from app.texts import Figure, Text, Value
 
 BUFFER = 2 * LONGEST  # bytes: room to notice a datagram that is too long
-KERNEL_BUFFER = 1 << 20  # bytes: one second of frames at 1 kHz, for a hold-up of the loop
-SHIRT_SENDER_SILENCE = 2.0  # s until another sender is accepted: longer than a shirt may be silent while armed (S4)
 WRITE_AHEAD = 10.0  # s of frames that one write of the newest frame's number allows
 _TIME = struct.Struct("@ll")  # struct timeval
 
@@ -48,6 +50,7 @@ class UdpConfig(ShirtConfig):
         Text("shirtdev-udp-title"),
         about=Text("shirtdev-udp-about"),
         in_use=Text("shirtdev-udp-in-use", port="{port}"),
+        facts=SourceFacts(Text("shirtdev-udp-needs"), Text("shirtdev-udp-costs"), Text("shirtdev-udp-takes")),
     )
 
     kind: Literal["udp"]
@@ -89,7 +92,8 @@ class UdpShirt:
         self._timeout = -1.0  # s, the timeout that is set in the kernel
         self._wait = -1.0  # s, the timeout of the last call of `read`
         self._sender: Address = ("", 0)  # of the datagram in the buffer
-        self._frame_t = -math.inf  # monotonic s
+        self._watch = ArrivalWatch()
+        self._rate = RateMeter(self.sample_rate)
         self._refusal: Text | None = None
 
     @property
@@ -112,10 +116,11 @@ class UdpShirt:
         self.junk = self.repeated = self.late = self._boot = 0
         self._late_by = 0.0
         self._refusal = None
-        self._frame_t = -math.inf
+        self._watch = ArrivalWatch(self._clock.now())
+        self._rate = RateMeter(self.sample_rate)
         if self._key_file is not None:
             self._open_key(self._key_file)
-        self._socket = self._bound()
+        self._socket = bound_socket(*self.address)
         self.address = (self.address[0], self._socket.getsockname()[1])
 
     def read(self, timeout: float) -> SensorFrame | None:
@@ -131,9 +136,13 @@ class UdpShirt:
             packet = self._packet(size, now)
             if packet is not None:
                 seq, microseconds, values = packet
-                if self._sequence.accept(seq) and (self._key is None or self._is_in_time(microseconds, now)):
-                    self._frame_t = now
-                    return SensorFrame(seq, microseconds * 1e-6, now, values)
+                t_device = microseconds * 1e-6
+                if not self._sequence.accept(seq):
+                    self._watch.leave_out(LeftOut(now, "repeated"))
+                elif self._key is None or self._is_in_time(microseconds, now):
+                    self._watch.accept(now)
+                    self._rate.add(seq, t_device)
+                    return SensorFrame(seq, t_device, now, values)
             wait = deadline - now
             if wait <= 0.0:
                 return None
@@ -148,13 +157,18 @@ class UdpShirt:
         if packet is None:
             self.junk += 1
             self._refusal = refusal(self._buffer, size, self._channels, self._key)
+            reason: ArrivalVerdict = "refused" if self._refusal.id in KEY_REFUSALS else "foreign"
+            self._watch.leave_out(LeftOut(now, reason, size, self._sender))
             return None
         if self._newest is not None and not self._newest.is_new(boot, packet[0]):
             self.repeated += 1
+            self._watch.leave_out(LeftOut(now, "repeated"))
             return None
-        if not self.sender_choice.accept(self._sender, boot, now - self._frame_t > SHIRT_SENDER_SILENCE):
+        if not self.sender_choice.accept(self._sender, boot, now - self._watch.accepted_t > SHIRT_SENDER_SILENCE):
+            self._watch.leave_out(LeftOut(now, "senders"))
             return None
         if self._newest is not None and not self._newest.accept(boot, packet[0]):
+            self._watch.leave_out(LeftOut(now, "disk"))
             return None
         if boot != self._boot:
             self._boot = boot
@@ -169,6 +183,7 @@ class UdpShirt:
         self._late_by = self._lateness.of(microseconds, now)
         if self._late_by:
             self.late += 1
+            self._watch.leave_out(LeftOut(now, "late"))
         return not self._late_by
 
     def _forget_device(self) -> None:
@@ -213,9 +228,42 @@ class UdpShirt:
             "repeated": self.repeated,
             "late": self.late,
         }
-        if self._clock.now() - self._frame_t > ALIVE:
+        if self._clock.now() - self._watch.accepted_t > ALIVE:
             return Text("shirtdev-udp-silent", **common)
         return Text("shirtdev-udp", sensors=self._channels, lost=self._sequence.lost, refused=self.junk, **common)
+
+    def arrivals(self) -> Arrivals:
+        """Return what arrives at the socket."""
+        verdict: ArrivalVerdict = "gone" if self._socket is None else self._watch.verdict(self._clock.now())
+        if verdict == "arrives" and self._rate.is_wrong:
+            verdict = "rate"
+        return Arrivals(verdict, self._arrival_text(verdict), self._watch.accepted, self._watch.left_out)
+
+    def _arrival_text(self, verdict: ArrivalVerdict) -> Text:
+        """Return a verdict in words, with what to do."""
+        host, port = self.address
+        newest, choice = self._watch.newest, self.sender_choice
+        match verdict:
+            case "gone":
+                return self.description()
+            case "nothing" if self._socket is not None:
+                return Text("arrivals-udp-nothing", place=f"{host}:{port}", port=port, reach=reach_of(self._socket))
+            case "foreign" | "refused" if self._refusal is not None and newest.sender is not None:
+                sender = address_text(newest.sender)
+                return Text("arrivals-foreign", count=self.junk, size=newest.size, sender=sender, why=self._refusal)
+            case "late":
+                why = Text("shirtdev-frame-late", delay=Figure(self._late_by, 1))
+                return Text("arrivals-none-counts", why=why)
+            case "disk" if self._newest is not None and self._newest.trouble is not None:
+                return Text("arrivals-none-counts", why=self._newest.trouble)
+            case "repeated":
+                return Text("arrivals-none-counts", why=Text("arrivals-repeated"))
+            case "senders" if choice.other:
+                return Text("arrivals-senders", sender=choice.name, stranger=choice.other)
+            case "rate":
+                return Text("arrivals-rate", measured=round(self._rate.rate), expected=round(self.sample_rate, 2))
+            case _:
+                return GOOD if verdict == "arrives" else WAITING
 
     def _late_text(self) -> Text | None:
         """Return why the newest frame is left out when it came late, None when it did not."""
@@ -270,23 +318,6 @@ class UdpShirt:
         newest = NewestFrame(newest_file(file), math.ceil(WRITE_AHEAD * self.sample_rate))
         newest.open()
         self._newest = newest
-
-    def _bound(self) -> socket.socket:
-        host, port = self.address
-        try:
-            family, kind, _, _, address = socket.getaddrinfo(host, port, type=socket.SOCK_DGRAM)[0]
-        except (OSError, UnicodeError) as error:
-            raise HardwareError(Text("shirtdev-udp-no-address", host=host)) from error
-        listening = socket.socket(family, kind)
-        try:
-            listening.setsockopt(socket.SOL_SOCKET, socket.SO_RCVBUF, KERNEL_BUFFER)
-            listening.bind(address)
-        except OSError as error:
-            listening.close()
-            raise HardwareError(
-                Text("shirtdev-udp-failed", place=f"{host}:{port}", why=error.strerror or "")
-            ) from error
-        return listening
 
 
 KIND = ShirtKind(UdpConfig, UdpShirt, Trust.WITH_KEY)

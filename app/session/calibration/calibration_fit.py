@@ -19,7 +19,7 @@ from app.session.runs import SessionRuns
 from app.store.calibrations import is_calibration_simulated, recordings_of, set_step
 from app.store.database import Database
 from app.store.log import write_log
-from app.store.map_versions import calibration_behind, save_adapted
+from app.store.map_versions import calibration_behind, save_adapted, source_of_map
 from app.store.parameters import as_document, current_parameters, newest_profile
 from app.store.tables import PatientSession
 from app.texts import Text, text_of
@@ -68,7 +68,7 @@ class CalibrationFit:
         """Return the calibration that the patient drives with, None without one in this kind of shirt."""
         with self._database.reading() as db:
             row = newest_profile(db, db.get_one(PatientSession, session_id).patient_id)
-            if row is None or row.simulated is not self._equipment.simulated:
+            if row is None or source_of_map(db, row) != self._equipment.group:
                 return None
             before = CalibrationProfile.model_validate(row.document).layout
             if before.without_rings != layout.without_rings:
@@ -120,11 +120,11 @@ class CalibrationFit:
             raise Conflict(Text("visit-calibration-without-shirt"))
         with self._database.reading() as db:
             folders = recordings_of(db, session_id)
-            is_calibration_simulated(db, session_id)  # refuse a mixture of worn and simulated recordings
+            is_calibration_simulated(db, session_id)  # refuse a mixture of groups of sources
         done = [step for step in progress.steps if progress.status[step.id][0] == "done"]
         return progress.layout, [(step, self._runs.folder_of(folders[step.id])) for step in done]
 
 
 def garment(layout: ShirtLayout, equipment: Equipment) -> Garment:
     """Return the shirt in use, with the layout that its calibration began with."""
-    return Garment(layout, bool(equipment.simulated), equipment.seed)
+    return Garment(layout, equipment.group, equipment.seed)

@@ -8,6 +8,7 @@ from app.calibration.prior.documents import PersonEntry, ReleasedPrior
 from app.calibration.prior.map_prior import MapPrior, layout_key
 from app.calibration.prior.shipped import SHIPPED_SEED, shipped_prior
 from app.layout import ShirtLayout
+from app.source import OWN_GROUPS, SourceGroup
 
 
 class Garment(NamedTuple):
@@ -17,15 +18,22 @@ class Garment(NamedTuple):
     """
 
     layout: ShirtLayout
-    simulated: bool  # whether nobody wears the shirt
+    group: SourceGroup  # of the shirt
     seed: int | None  # of a simulated shirt: each seed is a different one
 
     @property
     def hash(self) -> str:
         """SHA-256, hex."""
         # None twice: stored hashes have the places of a ring and of a place in it, which do not count.
-        key = [(*channel, None, None) for channel in layout_key(self.layout)]
-        return hashlib.sha256(json.dumps([key, self.seed]).encode()).hexdigest()
+        key: list[object] = [[(*channel, None, None) for channel in layout_key(self.layout)], self.seed]
+        if self.group in OWN_GROUPS:
+            key.append(self.group)
+        return hashlib.sha256(json.dumps(key).encode()).hexdigest()
+
+    @property
+    def simulated(self) -> bool:
+        """Whether nobody wears the shirt."""
+        return self.group == "simulated"
 
     @property
     def shipped_prior(self) -> ReleasedPrior | None:

@@ -6,6 +6,7 @@ from typing import Literal
 
 from pydantic import ValidationError
 
+from app.arrivals import Arrivals, arrivals_from
 from app.hardware.configs import SHIRTS
 from app.json_values import JsonDocument
 from app.layout import ShirtLayout
@@ -14,6 +15,7 @@ from app.refusals import Conflict, NotFound, Refusal, Unavailable
 from app.session.control_link import ControlLink
 from app.session.equipment.choice import ClinicChoice, without_folders
 from app.session.equipment.pairing import shirt_key_files
+from app.source import UNKNOWN, SourceGroup, source_group
 from app.store.database import Database, Transaction
 from app.store.tables import Clinic
 from app.texts import Text, from_document, text_of
@@ -56,6 +58,8 @@ class Equipment(ClinicChoice):
         self.failure: Text | str | None = None  # why there is no shirt, None when there is one
         self.state: Text | str = ""  # of the shirt, in words, as of the last `refresh`
         self.silent = False  # whether there was a shirt then that sent nothing
+        self.found: list[str] = []  # names of the sensors that it had found then, and that nobody has placed
+        self.arrivals: Arrivals | None = None  # at the shirt, as of the last `refresh`; None: it does not say
         self.mistrust: Text | str | None = NO_SHIRT  # why the shirt arms no real chair, None when it may
 
     async def open(self) -> None:
@@ -82,9 +86,26 @@ class Equipment(ClinicChoice):
         return None if self.kind is None else SHIRTS[self.kind].simulated
 
     @property
+    def group(self) -> SourceGroup:
+        """Return the group of sources that the chosen shirt belongs to, "unknown" before the first choice."""
+        return source_group(self.kind or UNKNOWN, self.simulated)
+
+    @property
     def seed(self) -> int | None:
         """Return which simulated shirt is in use, None for any other."""
         return self.shirt.get("seed") if self.shirt is not None and self.kind == "simulator" else None
+
+    @property
+    def is_camera(self) -> bool:
+        """Return whether the chosen shirt is the camera of a page."""
+        return self.kind == "camera"
+
+    def part_of_sensor(self, name: str) -> Text | None:
+        """Return the part of the body that a sensor of this name is on, None when it is on none."""
+        if self.shirt is None:
+            return None
+        kind = SHIRTS[str(self.shirt["kind"])]
+        return next((kind.title_of(part) for part in kind.fields_of("tracker") if self.shirt.get(part) == name), None)
 
     @property
     def practice(self) -> str | None:
@@ -114,14 +135,17 @@ class Equipment(ClinicChoice):
         await self._store()
 
     async def refresh(self) -> None:
-        """Read the state of the shirt; notify the pages when it has fallen silent, and when it sends again."""
+        """Read the state of the shirt; notify the pages when it falls silent, sends again, or finds other sensors."""
         try:
             shirt = (await self._control.call("status"))["shirt"]
         except Refusal:
             return  # the pages are told of a control process that is being restarted
-        before, self.silent = self.silent, self.layout is not None and bool(shirt["silent"])
+        before = self.silent, self.found
+        self.silent = self.layout is not None and bool(shirt["silent"])
+        self.found = list(shirt.get("found") or ())
+        self.arrivals = arrivals_from(shirt.get("arrivals"))
         self.state = from_document(shirt["words"])
-        if self.silent != before:
+        if (self.silent, self.found) != before:
             self._notify(News(what="equipment"))
 
     async def use_body(self, config: JsonDocument) -> None:

@@ -108,6 +108,6 @@ def test_a_process_that_cannot_measure_is_one_sentence(signed_in: Clinic, monkey
         assert signed_in.refused(503, "POST", "/computer/measurement", json={"seconds": 1}) == str(FAILED)
 
 
-@pytest.mark.parametrize("seconds", [0, 61, 1.5, "10", None])
-def test_how_long_is_bounded(signed_in: Clinic, seconds: Any) -> None:
-    assert signed_in("POST", "/computer/measurement", json={"seconds": seconds}).status_code == 422
+def test_how_long_is_bounded(signed_in: Clinic) -> None:
+    for seconds in (0, 61, 1.5, "10", None):
+        assert signed_in("POST", "/computer/measurement", json={"seconds": seconds}).status_code == 422, seconds

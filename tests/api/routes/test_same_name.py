@@ -110,8 +110,8 @@ def test_a_recording_of_this_program_is_not_replaced(signed_in: Any, settings: A
     assert recording(signed_in, 1, "walk.csv", "?same_name=keep-both").status_code == 201
 
 
-@pytest.mark.parametrize("identity", ["..--x", "x", "20260101T000000.0Z--..%2f..%2fbodydrive.sqlite"])
-def test_nothing_but_the_shelf_is_put_back(signed_in: Any, identity: str) -> None:
-    answer = signed_in("POST", f"/replaced/file/{identity}/restore")
-    assert answer.status_code in {404, 405, 422}
-    assert isinstance(json.loads(answer.text)["detail"], str)
+def test_nothing_but_the_shelf_is_put_back(signed_in: Any) -> None:
+    for identity in ("..--x", "x", "20260101T000000.0Z--..%2f..%2fbodydrive.sqlite"):
+        answer = signed_in("POST", f"/replaced/file/{identity}/restore")
+        assert answer.status_code in {404, 405, 422}, identity
+        assert isinstance(json.loads(answer.text)["detail"], str), identity

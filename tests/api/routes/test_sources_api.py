@@ -10,6 +10,7 @@ from app.store.tables import Run, Trial
 
 SIMULATED = {"kind": "simulator", "seed": 1}
 WORN = {"kind": "udp", "port": 0}
+CAMERA = {"kind": "camera"}
 WORDS = {
     "simulator": "Simulated shirt (simulated person), virtual chair: practice only",
     "udp": "Worn shirt, virtual chair",
@@ -101,3 +102,26 @@ def test_a_simulated_calibration_drives_no_worn_shirt_and_no_calibration_mixes_b
     result = owned.end_step()["steps"][-1]
     assert result["status"] == "failed"
     assert result["message"].startswith("Some steps were recorded in a shirt that nobody wears")
+
+
+def test_what_a_camera_saw_is_in_no_curve_and_no_calibration_of_a_worn_shirt(owned: Clinic) -> None:
+    patient = owned.begin_session()["id"]
+    with owned.rows() as rows:
+        rows.consent(patient, "recording")
+    owned.good("PUT", "/equipment/shirt", json=CAMERA)
+    owned.calibrate()
+    trial = owned.drive_trial()
+    assert (trial["source"]["group"], trial["source"]["description"]) == ("camera", "Camera, virtual chair")
+    query = "floorplan=apartment&path=main"
+    for asked, source, ids in (("", "camera", [trial["id"]]), ("&source=worn", "worn", [])):
+        found = owned.good("GET", f"/patients/{patient}/learning?{query}{asked}")
+        assert (found["source"], [row["id"] for row in found["trials"]]) == (source, ids)
+    assert found["others"] == {"camera": 1}
+    owned.good("PUT", "/equipment/shirt", json=WORN)
+    assert "calibrated in another shirt" in owned.good("GET", "/controls")["obstacle"]["message"]
+    assert owned.process.parameters is None
+    assert owned.good("GET", "/adaptation")["practised"] == 0
+    owned.good("POST", "/calibration/steps/rest/start")  # again, in the worn shirt
+    result = owned.end_step()["steps"][-1]
+    assert result["status"] == "failed"
+    assert result["message"].startswith("Some steps were recorded with other sensors")

@@ -1,16 +1,6 @@
 """A reader chooses a language once: it is the browser's, and follows the person to other browsers."""
 
-import pytest
 from api.fake_clinic import Clinic, sentence_of
-
-from app.api import request_language
-from app.api.sign_in import auth, own_language
-
-
-@pytest.fixture(autouse=True)
-def three_languages(monkeypatch: pytest.MonkeyPatch) -> None:
-    for module in (auth, own_language, request_language):
-        monkeypatch.setattr(module, "LANGUAGES", ("en", "es", "de"))
 
 
 def test_the_choice_is_of_the_browser_and_of_the_person(owned: Clinic) -> None:

@@ -9,6 +9,7 @@ from api.people_of_clinic import OWNER, accepted, invited
 from app.api.sign_in import set_up
 from app.api.sign_in.hashing import Hashing
 from app.clock import monotonic
+from app.texts import LANGUAGES
 
 
 def test_the_code_of_the_link_signs_in_as_often_as_it_is_opened(clinic: Any) -> None:
@@ -18,7 +19,7 @@ def test_the_code_of_the_link_signs_in_as_often_as_it_is_opened(clinic: Any) -> 
         "needs_setup": False,
         "version": "0.2.0",
         "language": "en",
-        "languages": ["en", "es", "de"],
+        "languages": list(LANGUAGES),
     }
     assert clinic.good("GET", "/auth/me") == nobody | program
     assert clinic("POST", "/auth/demo", json={"code": "another"}).status_code == 401
@@ -80,17 +81,16 @@ def test_a_wrong_password_and_an_unknown_name_are_told_alike(real: Any, monkeypa
     assert real.good("POST", "/auth/sign-in", json={"name": "Ada", "password": OWNER["password"]})["name"] == "Ada"
 
 
-@pytest.mark.parametrize("origin", [None, "http://evil.example", "http://127.0.0.1:9999", "null", "http://[broken"])
-def test_what_does_not_come_from_our_page_changes_nothing(signed_in: Any, origin: str | None) -> None:
-    headers = {} if origin is None else {"Origin": origin}
-    answer = signed_in.client.post("/api/v1/patients", json={"code": "A", "pseudonym": "B"}, headers=headers)
-    assert answer.status_code == 403
+def test_what_does_not_come_from_our_page_changes_nothing(signed_in: Any) -> None:
+    for origin in (None, "http://evil.example", "http://127.0.0.1:9999", "null", "http://[broken"):
+        headers = {} if origin is None else {"Origin": origin}
+        answer = signed_in.client.post("/api/v1/patients", json={"code": "A", "pseudonym": "B"}, headers=headers)
+        assert answer.status_code == 403, origin
     assert signed_in.good("GET", "/patients") == []
 
 
-@pytest.mark.parametrize(
-    ("headers", "status"),
-    [
+def test_a_program_without_an_origin_may_stop_and_a_page_of_another_site_may_not(clinic: Any) -> None:
+    asked: list[tuple[dict[str, str], int]] = [
         ({}, 200),
         ({"Sec-Fetch-Site": "none"}, 200),
         ({"Sec-Fetch-Site": "same-origin"}, 200),
@@ -98,12 +98,9 @@ def test_what_does_not_come_from_our_page_changes_nothing(signed_in: Any, origin
         ({"Sec-Fetch-Site": "same-site"}, 403),
         ({"Origin": "null"}, 403),
         ({"Origin": "https://elsewhere.example"}, 403),
-    ],
-)
-def test_a_program_without_an_origin_may_stop_and_a_page_of_another_site_may_not(
-    clinic: Any, headers: dict[str, str], status: int
-) -> None:
-    assert clinic.client.post("/api/v1/control/stop", headers=headers).status_code == status
+    ]
+    for headers, status in asked:
+        assert clinic.client.post("/api/v1/control/stop", headers=headers).status_code == status, headers
 
 
 def test_a_foreign_name_that_points_here_is_not_served(signed_in: Any) -> None:

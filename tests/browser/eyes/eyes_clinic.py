@@ -21,6 +21,7 @@ from stored_interface_test import store_interface_test
 from app.api.live.live_picture import ClinicLive
 from app.api.live.message import LiveMessage
 from app.api.patient_screen.patient_picture import PatientLive, PatientMessage, PatientPicture
+from app.arrivals import Arrivals
 from app.calibration.profile import CalibrationProfile
 from app.calibration.vocabulary import standard_parameters
 from app.faults import Fault, State
@@ -33,6 +34,7 @@ from app.store.parameters import save_parameters, save_profile
 from app.store.patients import end_session, start_session
 from app.store.people import find_person
 from app.store.tables import InterfaceTest, PatientSession, Trial
+from app.texts import to_document
 
 LAYOUT = standard_layout()
 # What is stored of all that a place may change, and that has to be put back.
@@ -203,15 +205,17 @@ class EyesClinic(OwnedClinic):
         self.process.stops += 1
         self.process.state, self.process.fault = State.FAULT, fault
 
-    def silence(self, words: str) -> None:
+    def silence(self, words: str, arrivals: Arrivals | None = None) -> None:
         """Let no frame come from the shirt, whose state these words are, until the place is left."""
         process = self.process
 
         def sends(is_sending: bool, words: str) -> None:
-            process.sends, process.shirt_words = is_sending, words
+            process.sends, process.shirt_words, process.arrivals = is_sending, words, None
 
         before = process.shirt_words
         sends(False, words)
+        if arrivals is not None:
+            process.arrivals = {**arrivals._asdict(), "message": to_document(arrivals.message)}
         self.when_left.append(lambda: sends(True, before))
 
     def stored(self) -> Any:

@@ -29,6 +29,7 @@ from browser.eyes.states.calibrate_places import CALIBRATE_PLACES, calibration_a
 from browser.eyes.states.chair_places import chair_page, no_chair, paired_chair
 from browser.eyes.states.course_places import COURSE_PLACES
 from browser.eyes.states.empty_places import EMPTY_PLACES
+from browser.eyes.states.layout_places import own_layout
 from browser.eyes.states.live_places import LIVE_PLACES
 from browser.eyes.states.role_places import ROLE_PLACES
 from browser.eyes.states.session_places import (
@@ -64,6 +65,11 @@ def invitation(page: Any, clinic: EyesClinic) -> None:
 def picked_lamp(page: Any, clinic: EyesClinic) -> None:
     go(page, clinic, "shirt")
     page.locator(".bodies .sensor").nth(20).click()
+
+
+def layout_editor(page: Any, clinic: EyesClinic) -> None:
+    go(page, clinic, f"layouts/edit/{own_layout(clinic)}")
+    expect(page.locator(".place-mark[role=slider]")).to_be_visible()
 
 
 def computer_measured(page: Any, clinic: EyesClinic) -> None:
@@ -131,6 +137,8 @@ PLACES: dict[str, Open] = {
     "shirt, lamp": picked_lamp,
     "shirt, open": opened("shirt"),
     "shirt, same name": same_name,
+    "layouts": opened("layouts"),
+    "layouts edit": layout_editor,
     "calibrate": opened("calibrate"),
     "calibrate, runs": steps(at("calibrate", "Start"), pauses(300)),
     "calibrate, result": steps(
@@ -183,6 +191,7 @@ PLACES: dict[str, Open] = {
     "patient's screen, stopped": steps(stopped_by(Fault.STOP_TABLET), patient_screen, shows(".band.stopped")),
     "stereo": settled("stereo.html"),
     "tablet": settled("tablet.html"),
+    "phone": settled("phone.html"),
     "share link, none": settled("share.html"),
     "share link, PIN": settled("share.html#a-link"),
     "share link": shared_records,

@@ -30,7 +30,7 @@ PLAIN_WORD = re.compile(r"[A-Za-z][a-z]+|[A-Z]{2,}")
 VALUES = (
     # the names of people, patients, chairs, sets, and of what a person may do, which is a name in these tests
     *("Ada", "Ben", "Rita", "Person", "The clinician", "The reviewer", "Heron", "Otter", "Nightingale", "Kingfisher"),
-    *("Ward", "ward", "Standard", "The corridor of ward 3"),
+    *("Ward", "ward", "Standard", "The corridor of ward 3", "Camera, upper body"),
     # what people wrote
     *("To get from my bed to the kitchen table by myself", "Calm, and tired after the second trial", "Calm"),
     *("The turn begins late here, as in the last session", "A pause of three seconds: was it meant?", "A pause"),

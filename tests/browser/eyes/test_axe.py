@@ -23,8 +23,9 @@ VISITED = {name: open_place for name, open_place in PLACES.items() if ", " not i
 # The addresses that the application itself knows: pages, and those below Drive and Review.
 KNOWN = """async () => {
   const [{ PAGES }, { BELOW }, { OWN_PAGES }] = await Promise.all(
-    ["shell/rail", "pages/drive/drive", "pages/review/review"].map((name) => import(`/js/${name}.js`)));
-  return [...PAGES, ...Object.keys(BELOW).map((one) => `drive/${one}`), ...OWN_PAGES.map((one) => `review/${one}`)];
+    ["shell/pages", "pages/drive/drive", "pages/review/review"].map((name) => import(`/js/${name}.js`)));
+  const below = [...Object.keys(BELOW).map((one) => `drive/${one}`), ...OWN_PAGES.map((one) => `review/${one}`)];
+  return [...Object.keys(PAGES), ...below];
 }"""
 
 BROKEN = """<!doctype html><html lang="en"><title>A page</title><main><h1>A page</h1>
@@ -83,7 +84,8 @@ def test_what_moves_is_found(page, clinic):
 
 def test_one_size_and_theme_of_every_page(page, clinic):
     found = {}
-    addresses, loaded = set(), {"/index.html", "/docs.html"}  # the frames of "/" and of "/docs/"
+    # The frames of "/" and of "/docs/", and one that shows nothing: pictures of a camera are read in it.
+    addresses, loaded = set(), {"/index.html", "/docs.html", "/camera.html"}
     page.on("request", lambda request: loaded.add(path_of(request.url)))
     page.emulate_media(reduced_motion="reduce")
     for number, (name, open_place) in enumerate(VISITED.items()):

@@ -50,14 +50,14 @@ def test_patients(page, clinic):
 
 def test_shirt(page, clinic):
     go(page, clinic, "shirt")
-    tab_to(page, "Right shoulder 1")
-    page.keyboard.press("ArrowRight")
-    heading(page, "Right shoulder 2").to_be_visible()
-    assert "Right shoulder 2" in focused(page)
     press(page, "Change")
     tab_to(page, "Simulated shirt")
     page.keyboard.press("ArrowUp")
     expect(page.get_by_label("Port")).to_be_visible()
+    tab_to(page, "Right shoulder 1")
+    page.keyboard.press("ArrowRight")
+    heading(page, "Right shoulder 2").to_be_visible()
+    assert "Right shoulder 2" in focused(page)
 
 
 def test_calibrate(page, clinic, monkeypatch):

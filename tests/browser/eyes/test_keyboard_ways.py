@@ -6,6 +6,7 @@ import pytest
 from browser.eyes.by_keyboard import focused, heading, opens_and_gives_back, press, tab_to
 from browser.eyes.opening import document, go
 from browser.eyes.places import PLACES
+from browser.eyes.states.layout_places import own_layout
 from browser.eyes.states.session_places import revoke_links, written_session
 from playwright.sync_api import expect
 
@@ -19,6 +20,23 @@ def test_a_task_is_chosen(page, clinic):
     tab_to(page, page.locator("a.choice").first.locator("b").inner_text())
     page.keyboard.press("Enter")
     expect(page).to_have_url(re.compile("#/drive/task/"))
+
+
+def test_a_sensor_is_chosen_put_elsewhere_and_saved(page, clinic):
+    go(page, clinic, f"layouts/edit/{own_layout(clinic)}")
+    tab_to(page, "Place of Right shoulder 1")
+    mark = page.locator(".place-mark[role=slider]")
+    expect(mark).to_have_attribute("aria-valuetext", "Front: right shoulder")
+    for _ in range(4):
+        page.keyboard.press("Shift+ArrowDown")
+    expect(mark).to_have_attribute("aria-valuetext", "Front: right upper arm")
+    assert focused(page) == "Place of Right shoulder 1"
+    tab_to(page, "Right shoulder 1")
+    page.keyboard.press("ArrowDown")
+    heading(page, "Right shoulder 2").to_be_visible()
+    press(page, "Save")
+    expect(page.get_by_text("“Ward 3” was saved.")).to_be_visible()
+    assert focused(page) == "Use it"
 
 
 def test_another_chair_is_chosen(page, clinic):

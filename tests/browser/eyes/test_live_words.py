@@ -7,6 +7,7 @@ from browser.eyes.places import PLACES, put_back
 from browser.eyes.spoken import LISTEN, QUIET, is_said, said, said_after, with_words
 from browser.eyes.states.live_places import DRIVE, TRIAL
 from browser.script import script
+from browser.sizes import window
 from playwright.sync_api import expect
 
 from app.faults import Fault, State
@@ -69,7 +70,9 @@ def test_a_picture_that_goes_and_comes_does_not_say_the_fault_again(page, clinic
     page.evaluate("() => removeCard()")
 
 
-def test_continue_and_end_keep_their_places_when_the_picture_goes_and_comes(page, clinic):
+def test_continue_and_end_keep_their_places_when_the_picture_goes_and_comes(browser, clinic):
+    # A page of its own: in one whose clock was put forward, every page that is opened later draws all that time again.
+    page = browser.new_page(storage_state=clinic.storage(), viewport=window("1280x800"))
     PLACES["settings"](page, clinic)
     page.clock.install()
     page.clock.pause_at(page.evaluate("() => Date.now()") / 1000 + 120)  # it goes on at the test's words only
@@ -98,8 +101,6 @@ def test_continue_and_end_keep_their_places_when_the_picture_goes_and_comes(page
     page.clock.run_for(100)
     expect(go).to_be_enabled()
     assert [go.bounding_box(), end.bounding_box()] == boxes
-    page.evaluate("() => removeCard()")
-    page.clock.resume()
 
 
 def test_a_lost_page_has_one_main_landmark_also_under_a_cover(page, clinic):

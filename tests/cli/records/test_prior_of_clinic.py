@@ -25,7 +25,7 @@ from app.store.tables import LogEntry, Patient
 
 PEOPLE = 9
 DAY = date(2026, 3, 1)
-SHIRT = Garment(sleeve(), False, None).hash
+SHIRT = Garment(sleeve(), "worn", None).hash
 
 
 @pytest.fixture(scope="module")

@@ -1,5 +1,6 @@
 """`bodydrive report`: the suffix decides about the form; bad input is a sentence, and nothing is written."""
 
+import shutil
 from contextlib import closing
 from datetime import date
 
@@ -8,22 +9,27 @@ from cli.answers import assert_refused
 from features.reports.reported_clinic import CODE, store_reported_course
 from features.reports.words_of import html_page, pdf_pages
 
-from app.cli import main
 from app.features.consents.service import give_consent, withdraw_consent
 from app.store.database import Database
 from app.store.tables import LogEntry
 
 
-@pytest.fixture
-def clinic(tmp_path):
-    """Return the folder of a clinic with a course of two sessions."""
-    folder = tmp_path / "clinic"
+@pytest.fixture(scope="module")
+def stored(tmp_path_factory):
+    """Return the folder of a clinic with a course of two sessions, which nobody has open."""
+    folder = tmp_path_factory.mktemp("stored") / "clinic"
     database = Database(folder / "bodydrive.sqlite")
     patient = store_reported_course(database, folder / "runs", 2, recordings=False)
     with database.transaction() as db:
         give_consent(db, patient, "sharing", date(2026, 1, 1), "Ana")
     database.close()
     return folder
+
+
+@pytest.fixture
+def clinic(stored, tmp_path):
+    """Return the folder of such a clinic for one test."""
+    return shutil.copytree(stored, tmp_path / "clinic")
 
 
 def log_of(clinic):
@@ -41,7 +47,6 @@ def test_both_forms_are_written_and_stand_in_the_log(bodydrive, clinic, tmp_path
 
 
 def test_a_report_is_in_the_language_of_the_terminal(bodydrive, clinic, tmp_path, monkeypatch):
-    monkeypatch.setattr(main, "LANGUAGES", ("en", "es", "de"))
     monkeypatch.setenv("LC_ALL", "es_ES.UTF-8")
     for name, *options in (("own.html",), ("english.html", "--language", "en")):
         assert bodydrive("report", CODE, *options, "--out", name, "--state", "clinic")[0] == 0

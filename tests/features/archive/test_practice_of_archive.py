@@ -16,8 +16,8 @@ def current_hash(db, patient):
 def practised(db, patient):
     """Return how many trials with the current set count as practice, and the hash of the newest practised set."""
     history = PracticeHistory()
-    last = history.newest(db, patient, simulated=True)
-    count, _ = history.practice(db, patient, current_hash(db, patient), simulated=True)
+    last = history.newest(db, patient, "simulated")
+    count, _ = history.practice(db, patient, current_hash(db, patient), "simulated")
     return count, None if last is None else last.hash
 
 

@@ -9,6 +9,7 @@ import threading
 from pathlib import Path
 
 import pytest
+from features.backup.light_key import LIGHT, WORDS
 from hypothesis import given
 from hypothesis import strategies as st
 from pyrage import DecryptError, decrypt, passphrase, x25519
@@ -21,22 +22,7 @@ from app.refusals import Refusal
 from app.settings import Settings
 from folders import ROOT
 
-WORDS = "a quiet blue heron"
 KEY = Secret(str(x25519.Identity.generate()), "")
-
-# A key that WORDS open at once: it is encrypted with a work factor of 10, where new_secret() takes a second's.
-LIGHT = Secret(
-    "AGE-SECRET-KEY-1HSQXSMNF00LD4ANZW6RA30MFAAQ404QVE4R5EQQ26Y9L8DSTDMYQ2900NR",
-    """-----BEGIN AGE ENCRYPTED FILE-----
-YWdlLWVuY3J5cHRpb24ub3JnL3YxCi0+IHNjcnlwdCBicTcvUFN2d0diQ3h4SGJz
-Y21Rc293IDEwClUwdGUzeFZWWE5valBwMnZDOFpkK1Jyclpzalk2aEpqRmw3T0l4
-cTdySDQKLS0tIHFmcHpWTVhxY3M3VGc5YVFiYTB5QTk1VG9jbEgzV2hXWjdIcjY4
-V3ljY0kKmivTrYq0ehGLjDazS5tqhfCjVw1tgroYrw1bqefj1drs2IbjWL/wB1m0
-zS1MKoHMQg5Nz4HN/RiAIYCbpyBzlqXswAq0bo2DX1xPyq5D+cOv2sm+Tl1Y8YBI
-JW5XUO7JqlsMPLR7t2HIcVM=
------END AGE ENCRYPTED FILE-----
-""",
-)
 
 
 @functools.cache

@@ -7,6 +7,7 @@ from typing import Any
 
 import pytest
 from api.fake_clinic import Clinic
+from features.backup.light_key import WORDS, make_light_keys
 
 from app.clock import utc_now
 from app.computing_process import ComputingProcess
@@ -22,7 +23,8 @@ from app.store.keeping.incidents import mark_incident
 
 @pytest.fixture(autouse=True)
 def _cheap(monkeypatch: pytest.MonkeyPatch, signed_in: Clinic) -> None:
-    """Make keys in this process, where they cost little."""
+    """Make keys in this process, which cost little."""
+    make_light_keys(monkeypatch)
     monkeypatch.setattr(
         signed_in.parts[ComputingProcess], "ask", lambda function, *given, **named: function(*given, **named)
     )
@@ -37,7 +39,7 @@ def whats(clinic: Clinic) -> list[str]:
     return [row.what for row in clinic.log()]
 
 
-@pytest.mark.parametrize("passphrase", [None, "a quiet blue heron"])
+@pytest.mark.parametrize("passphrase", [None, WORDS])
 def test_a_folder_is_chosen_and_a_backup_is_made(signed_in: Clinic, stick: Path, passphrase: str | None) -> None:
     before = signed_in.good("GET", "/backups")
     assert (before["folder"], before["last_good"], before["made"]) == (None, None, [])

@@ -52,8 +52,8 @@ def test_the_restored_clinic_goes_on_in_its_folder(clinics: list[Settings], stic
     assert len(BackupFolder(stick, None).names()) == 1  # of one day the newest
 
 
-@pytest.mark.parametrize("header", ["[]", '{"identity": null, "clinic": 1}', '{"identity": 1, "clinic": ""}', "{}"])
-def test_a_damaged_header_is_one_sentence(clinics: list[Settings], stick: Path, header: str) -> None:
-    (stick / "bodydrive-backups.json").write_text(header)
-    with pytest.raises(Refusal, match="is no folder of backups"):
-        made(clinics[0], stick)
+def test_a_damaged_header_is_one_sentence(clinics: list[Settings], stick: Path) -> None:
+    for header in ("[]", '{"identity": null, "clinic": 1}', '{"identity": 1, "clinic": ""}', "{}"):
+        (stick / "bodydrive-backups.json").write_text(header)
+        with pytest.raises(Refusal, match="is no folder of backups"):
+            made(clinics[0], stick)

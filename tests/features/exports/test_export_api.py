@@ -1,18 +1,18 @@
 """The export of a patient over the API: streamed, logged, and with consent only."""
 
 import io
-import itertools
 import subprocess
 import sys
 import zipfile
+from collections.abc import Callable
 from pathlib import Path
 from typing import Any
 
 import pyarrow.parquet as pa_parquet
 import pytest
 from recorded_trial import record_trial
+from session.same_process import SameProcess
 
-from app import computing_process
 from app.api import package_download
 from app.recording.reader import read_run
 from app.session.trial import TrialFlow
@@ -58,16 +58,27 @@ def test_an_export_is_streamed_with_consent_only_and_logged(driven: Any) -> None
 
 
 def test_an_export_takes_as_long_as_it_writes(driven: Any, monkeypatch: pytest.MonkeyPatch) -> None:
-    """A recording of 8 h needs more than the limit of a question; here each look at the folder finds more bytes."""
-    looks = itertools.count()
+    """A recording of 8 h needs more than the limit of a question: the bytes that are written count as its progress."""
+    grown: list[bool] = []
+
+    class Watched(SameProcess):
+        def ask_while(self, progress: Callable[[], Any], question: Callable[[], Any]) -> Any:
+            before = progress()
+            answer = super().ask_while(progress, question)
+            grown.append(progress() > before)
+            return answer
+
+        def ask(self, *_given: Any, **_named: Any) -> Any:
+            raise AssertionError("A question like this has a limit.")
+
     with driven.rows() as rows:
         rows.consent(driven.patient, "sharing")
-    monkeypatch.setattr(package_download, "ComputingProcess", computing_process.ComputingProcess)
-    monkeypatch.setattr(computing_process, "ANSWER_LIMIT", 0.0)
-    monkeypatch.setattr(package_download, "bytes_in", lambda _: next(looks))
+    monkeypatch.setattr(package_download, "ComputingProcess", Watched)
     answer = driven("GET", f"/patients/{driven.patient}/export?form=csv")
     with zipfile.ZipFile(io.BytesIO(answer.content)) as opened:
         assert opened.testzip() is None
+    assert len(grown) > 1  # the tables, and each recording
+    assert all(grown)
 
 
 def test_the_bytes_of_all_parts_are_its_progress(tmp_path: Path) -> None:

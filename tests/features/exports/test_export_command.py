@@ -2,7 +2,6 @@
 
 import zipfile
 
-import pytest
 from cli.answers import assert_refused
 from clinic_rows import rows_in
 from exported_clinic import CODE, make_clinic
@@ -21,18 +20,15 @@ def test_a_patient_is_exported_and_progress_is_said(bodydrive, tmp_path):
         assert opened.namelist() == ["export.json", "trials.csv", "session-01_run-001_drive.xdf"]
 
 
-@pytest.mark.parametrize(
-    ("words", "sentence"),
-    [
+def test_bad_input_is_one_sentence_and_leaves_no_file(bodydrive, tmp_path):
+    settings = make_clinic(tmp_path / "clinic")
+    for words, sentence in (
         (["export", "P-9", "--out", "a.zip"], "There is no patient with the code 'P-9'"),
         (["export", CODE, "--out", "a.zip", "--format", "mat"], "give one of csv, parquet, xdf, bids, fhir"),
         (["export", CODE, "--out", "a.zip", "--session", "7"], "no session 7"),
         (["export", CODE, "--out", "clinic"], "is no ordinary file"),
-    ],
-)
-def test_bad_input_is_one_sentence_and_leaves_no_file(bodydrive, tmp_path, words, sentence):
-    settings = make_clinic(tmp_path / "clinic")
-    assert_refused(bodydrive(*words, "--state", settings.state), sentence)
+    ):
+        assert_refused(bodydrive(*words, "--state", settings.state), sentence)
     assert [file.name for file in tmp_path.iterdir()] == ["clinic"]
 
 

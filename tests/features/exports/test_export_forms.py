@@ -103,6 +103,7 @@ def test_the_table_of_trials_has_measures_verdicts_and_sources_and_no_formula(ex
         (row,) = csv.DictReader(file)
     assert (float(row["e_diff [m2]"]), float(row["dist [m]"])) == (MEASURES["e_diff"], MEASURES["dist"])
     assert row["source"] == "Simulated shirt (simulated person), virtual chair: practice only"
+    assert (row["shirt"], row["simulated"]) == ("simulator", "yes")
     assert (row["software"], row["exported_with"]) == ("test", __version__)
     assert row["patient"] == f"'{CODE}"
     assert float(row["sparc [1]"]) == MEASURES["sparc"]

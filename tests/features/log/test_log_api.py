@@ -104,12 +104,12 @@ def test_the_chain_can_be_computed_from_the_exported_lines(in_session: Clinic, m
     assert (lines[-1]["person"], lines[-1]["what"]) == ("Demo clinician", "log exported")
 
 
-@pytest.mark.parametrize("name", ["=1+1", "+Ben", "-Ben", "@Ben"])
-def test_a_cell_that_begins_like_a_formula_is_escaped_in_csv(signed_in: Clinic, name: str) -> None:
+def test_a_cell_that_begins_like_a_formula_is_escaped_in_csv(signed_in: Clinic) -> None:
+    names = ("=1+1", "+Ben", "-Ben", "@Ben")
     with signed_in.database.transaction() as db:
-        write_log(db, name, "@what", patient=1)
+        for name in names:
+            write_log(db, name, "@what", patient=1)
     answer = signed_in("GET", "/log/export?form=csv")
-    rows = list(csv.DictReader(io.StringIO(answer.text)))
-    (row,) = [row for row in rows if row["details"] == '{"patient": 1}']
-    assert (row["person"], row["what"]) == (f"'{name}", "'@what")
-    assert len(row["hash"]) == 64
+    rows = [row for row in csv.DictReader(io.StringIO(answer.text)) if row["details"] == '{"patient": 1}']
+    assert sorted((row["person"], row["what"]) for row in rows) == sorted((f"'{name}", "'@what") for name in names)
+    assert {len(row["hash"]) for row in rows} == {64}

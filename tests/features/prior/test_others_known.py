@@ -15,7 +15,7 @@ from app.store.database import Database
 from app.study.simulated_calibration import prior_of_wearers
 
 LAYOUT = standard_layout()
-GARMENT = Garment(LAYOUT, True, 7)  # no prior ships for this simulated shirt
+GARMENT = Garment(LAYOUT, "simulated", 7)  # no prior ships for this simulated shirt
 
 
 @pytest.fixture(scope="module")

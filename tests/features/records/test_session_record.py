@@ -1,6 +1,7 @@
 """The record of a session: what is written, its history, and that a sign-off locks every row of the session."""
 
 from datetime import date
+from itertools import product
 
 import pytest
 from api.fake_clinic import Clinic
@@ -99,33 +100,39 @@ def test_a_note_or_scale_of_another_session_is_not_found(db: Session, session: P
     assert session_record(db, session.id).scales == (Scale(scale, "SCIM III", 41, DAY),)
 
 
-@pytest.mark.parametrize("kind", OF_A_SESSION)
-@pytest.mark.parametrize("how", ["change", "delete", "change many", "delete many"])
-def test_no_row_of_a_signed_session_changes_by_any_way(database: Database, kind: type[Table], how: str) -> None:
+def is_refused(db: Session, kind: type[Table], how: str) -> bool:
+    """Return whether the first row of a table cannot be changed in this way, because its session is signed off."""
+    column, value = CHANGED[kind]
+    row = db.scalars(select(kind)).first()
+    assert row is not None, kind
+    try:
+        if how == "change":
+            setattr(row, column, value)
+        elif how == "delete":
+            db.delete(row)
+        elif how == "change many":
+            db.execute(update(kind).values({column: value}))
+        else:
+            db.execute(delete(kind))
+        db.flush()
+    except Conflict as refused:
+        return "Session 1 was signed off by Ada" in str(refused)
+    return False
+
+
+def test_no_row_of_a_signed_session_changes_by_any_way(database: Database) -> None:
     with rows_in(database) as rows:
         session = rows.open_session()
         filled(rows.db, session)
         rows.drive(session, "by hand")
         sign_off(rows.db, session, "Ada")
-    column, value = CHANGED[kind]
-    with database.transaction() as db:
-        row = db.scalars(select(kind)).first()
-        assert row is not None
-
-        def change() -> None:
-            if how == "change":
-                setattr(row, column, value)
-            elif how == "delete":
-                db.delete(row)
-            elif how == "change many":
-                db.execute(update(kind).values({column: value}))
-            else:
-                db.execute(delete(kind))
-            db.flush()
-
-        with pytest.raises(Conflict, match="Session 1 was signed off by Ada"):
-            change()
-        db.rollback()
+    changed = []
+    for kind, how in product(OF_A_SESSION, ("change", "delete", "change many", "delete many")):
+        with database.transaction() as db:
+            if not is_refused(db, kind, how):
+                changed.append((kind, how))
+            db.rollback()
+    assert changed == []
 
 
 def test_the_table_of_this_test_names_every_table_of_a_session() -> None:

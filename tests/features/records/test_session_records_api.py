@@ -2,7 +2,6 @@
 
 from typing import Any
 
-import pytest
 from api.fake_clinic import Clinic
 from api.served_routes import CHANGING, routes_of
 
@@ -53,22 +52,18 @@ def test_what_is_written_is_answered_and_logged_without_its_words(calibrated: Cl
     assert not any(word in str([one.details for one in rows]) for word in ("Tired", "SCIM", "41.0"))
 
 
-@pytest.mark.parametrize(
-    ("method", "path", "body"),
-    [
+def test_what_is_not_a_goal_note_or_scale_is_refused_and_nothing_is_kept(in_session: Clinic) -> None:
+    session = in_session.session
+    wrong: list[tuple[str, str, dict[str, Any]]] = [
         ("PUT", "goal", {"goal": "x" * 1001}),
         ("POST", "notes", {"text": " \n"}),
         ("POST", "scales", {**SCALE, "name": ""}),
         ("POST", "scales", {**SCALE, "total": "41"}),
         ("POST", "scales", {**SCALE, "total": 1e13}),
         ("POST", "scales", {**SCALE, "day": "yesterday"}),
-    ],
-)
-def test_what_is_not_a_goal_note_or_scale_is_refused_and_nothing_is_kept(
-    in_session: Clinic, method: str, path: str, body: dict[str, Any]
-) -> None:
-    session = in_session.session
-    assert in_session(method, f"/sessions/{session}/{path}", json=body).status_code == 422
+    ]
+    for method, path, body in wrong:
+        assert in_session(method, f"/sessions/{session}/{path}", json=body).status_code == 422, (path, body)
     found = in_session.good("GET", f"/sessions/{session}")
     assert (found["goal"], found["notes"], found["scales"]) == ("", [], [])
 

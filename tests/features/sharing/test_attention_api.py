@@ -5,9 +5,10 @@ from typing import Any
 import numpy as np
 import pytest
 from api.fake_clinic import Clinic
-from clinic_rows import plan_at
+from clinic_rows import SIMULATED, WORN, ClinicRows, plan_at
 
-from app.features.sharing.attention import RECENT
+from app.features.sharing.attention import RECENT, counted_tasks, tasks_of
+from app.source import OWN_GROUPS, UNKNOWN_SOURCE, Source
 from app.store.patients import sessions_of
 from app.store.tables import Patient
 
@@ -58,6 +59,23 @@ def test_a_trial_that_is_left_out_is_worked_out_anew(signed_in: Clinic, course: 
     found = signed_in.until("/attention", is_known)
     assert {one["code"] for one in found} == set(LEVELS)
     assert not any("deterioration" in one for one in reasons(found).values())
+
+
+def test_each_source_is_a_task_of_its_own(rows: ClinicRows) -> None:
+    """Safety S26: what a camera saw makes nobody worse in a worn shirt."""
+    session = rows.session()
+    others = [Source(shirt=kind, body=None, chair="virtual", simulated=False) for kind in OWN_GROUPS]
+    driven = {
+        source.group: [rows.trial(session, {"dist": 1.0}, source=source).id for _ in range(2)]
+        for source in (WORN, SIMULATED, UNKNOWN_SOURCE, *others)
+    }
+    assert len(driven) == 3 + len(OWN_GROUPS)
+    tasks = counted_tasks(rows.db)
+    assert {task.group: task.trials for task in tasks} == {
+        group: ",".join(map(str, ids)) for group, ids in driven.items()
+    }
+    assert len(tasks) == len(driven)
+    assert {group for *_, group in tasks_of(rows.db, session.patient_id)} == set(driven)
 
 
 def test_a_drive_that_a_fault_stopped_stands_before_everything_else(signed_in: Clinic, course: Any) -> None:

@@ -20,6 +20,7 @@ from app.api.routes.equipment import shirt_kind_view
 from app.hardware.base import HardwareError
 from app.hardware.configs import SHIRTS
 from app.hardware.registry import make_shirt, parse_shirt
+from app.hardware.shirt.kind import NO_CABLE
 from app.pipeline.loop import ControlLoop
 from app.pipeline.opening import reason
 from app.pipeline.setup import Setup
@@ -65,7 +66,7 @@ def test_the_loop_reads_a_minute_of_frames(lines: ModuleType, line: tuple[int, i
     layout = small_layout().model_dump(mode="json")
     change = setup.change_shirt(parse_shirt({"kind": "lines", "device": device, "layout": layout}))
     change.use(change.open())
-    assert (setup.source.shirt, setup.source.simulated, setup.mistrust) == ("lines", False, None)
+    assert (setup.source.shirt, setup.source.simulated, setup.mistrust) == ("lines", False, NO_CABLE)
     assert setup.shirt_description == f"Shirt on {device}, 3 sensors."
     loop = ControlLoop(setup, ring, None, clock)
     sent = np.arange(3 * MINUTE, dtype=np.float32).reshape(MINUTE, 3) / 4
@@ -124,4 +125,4 @@ def test_the_page_counts_the_lines_and_names_every_format() -> None:
     formats = re.findall(r'^  "?([a-z-]+)"?[:,]', fields.split("const OF_FORMAT = {")[1].split("};")[0], re.MULTILINE)
     types = {"signal-file": "SignalFile", "shirt-key": "ShirtKey", "layout": "LayoutFile"}
     assert [name for name in formats if f"| `{types.get(name, f'format` `{name}')}` |" not in PAGE] == []
-    assert len(formats) == 6
+    assert len(formats) == 7

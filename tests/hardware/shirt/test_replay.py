@@ -99,6 +99,14 @@ def test_a_file_that_cannot_be_played_is_one_sentence(tmp_path, content, words):
     assert "\n" not in str(refused.value)
 
 
+def test_a_recorded_run_is_replayed_in_the_layout_that_a_person_gives(tmp_path):
+    folder = write_run(tmp_path / "run", range(20), small_layout().model_dump(mode="json"))
+    other = small_layout().model_copy(update={"name": "other"})
+    assert read_frames(folder, layout=other).layout == other
+    with pytest.raises(HardwareError, match="3 channels and its layout 2"):
+        read_frames(folder, layout=other.model_copy(update={"channels": other.channels[:2]}))
+
+
 def test_a_folder_without_a_recording_is_one_sentence(tmp_path):
     with pytest.raises(HardwareError, match="there is no recording in this folder"):
         open_replay(tmp_path, FakeClock())

@@ -20,7 +20,8 @@ from app.hardware.chair.key import Key, new_key, read_key
 from app.hardware.shirt.newest_frame import newest_file
 from app.hardware.shirt.packet import decode, decode_signed, encode, refusal
 from app.hardware.shirt.sender import signed_frame
-from app.hardware.shirt.udp import SHIRT_SENDER_SILENCE, UdpConfig, UdpShirt
+from app.hardware.shirt.sender_choice import SHIRT_SENDER_SILENCE
+from app.hardware.shirt.udp import UdpConfig, UdpShirt
 from app.session.equipment.pairing import pair_shirt, shirt_key_file
 
 WAIT = 2.0  # s

@@ -100,7 +100,7 @@ def test_after_any_silence_only_a_person_makes_another_sender_the_shirt(tmp_path
 
 def test_a_port_that_is_taken_is_one_sentence(source):
     config = UdpConfig(kind="udp", port=source.shirt.address[1], layout=small_layout())
-    with pytest.raises(HardwareError, match=r"cannot be received on 127.0.0.1:\d+ .*: use an address"):
+    with pytest.raises(HardwareError, match=r"cannot be received on 127.0.0.1:\d+ .*: end the other program"):
         UdpShirt(config, FakeClock()).open()
 
 

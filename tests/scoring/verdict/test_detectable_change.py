@@ -3,13 +3,14 @@
 import math
 
 import pytest
-from scipy.stats import t
 
 from app.scoring.verdict.detectable_change import noise_of
 from app.scoring.verdict.spread import OwnSpread, Variance
 
 
 def test_the_mdc_is_the_formula_with_students_t() -> None:
+    from scipy.stats import t
+
     spread = OwnSpread(Variance(0.04, 8.0), Variance(0.01 + 0.04 / 5, 4.0), 1 / 5)
     noise = noise_of(spread, 5, 5, same_session=False)
     assert noise is not None

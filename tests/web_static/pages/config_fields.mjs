@@ -70,10 +70,18 @@ const { configFields } = await import(pathToFileURL(`${process.argv[2]}/pages/sh
 const { Fragment, h, render, signal } = await import(pathToFileURL(`${process.argv[2]}/preact.js`));
 const { sourceWords } = await import(pathToFileURL(`${process.argv[2]}/pages/shirt/source_form.js`));
 
-const { layout, files, keys } = Object.fromEntries(
+const { layout, files, keys, found, layouts } = Object.fromEntries(
   Object.entries(around).map(([name, value]) => [name, signal(value)]),
 );
-const { fields, config } = configFields(form, { app: {}, now: around.now, layout, files, keys });
+const { fields, config } = configFields(form, {
+  app: {},
+  now: around.now,
+  layout,
+  files,
+  keys,
+  found,
+  layouts,
+});
 const page = new Element("form");
 render(h(Fragment, {}, fields), page);
 

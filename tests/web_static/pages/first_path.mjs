@@ -13,7 +13,7 @@ const trial = (path, session, more = {}) => ({
   floorplan: "clinic",
   floorplan_title: "Clinic",
   path,
-  source: { simulated: false },
+  source: { group: "worn" },
   compared_in: session,
   ...more,
 });
@@ -23,7 +23,7 @@ const first = (trials) => firstPath(pathsOf(trials), trials).name;
 const compared = [trial("straight", 1), trial("straight", 2)];
 assert.equal(first([...compared, ...times(3, "door", 2)]), "straight"); // the door was driven last, in one session
 assert.equal(first([...compared, trial("door", 2), trial("door", 3)]), "door");
-const unknown = { source: { simulated: null } }; // of an older program
+const unknown = { source: { group: "unknown" } }; // of an older program
 assert.equal(
   first([trial("straight", 1, unknown), trial("straight", 2, unknown), trial("door", 2, unknown)]),
   "straight",
@@ -33,7 +33,7 @@ assert.equal(first([...enough, ...times(2, "door", 2), ...times(2, "door", 3)]),
 assert.equal(first([...enough, ...times(2, "door", 2), ...times(3, "door", 3)]), "door");
 // Which trials verdicts compare is the server's to say: others count for nothing.
 assert.equal(first([...compared, ...times(9, "door", null), trial("door", 3)]), "straight");
-const simulated = { source: { simulated: true } };
+const simulated = { source: { group: "simulated" } };
 assert.equal(first([...compared, trial("door", 1), trial("door", 2, simulated)]), "straight"); // two sources
 
 const used = { familiarisation: true, reached: true };

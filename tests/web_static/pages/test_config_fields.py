@@ -14,7 +14,7 @@ from app.hardware.shirt.kind import LayoutFile, ShirtConfig, ShirtKey, ShirtKind
 from app.hardware.shirt.standard import standard_layout
 from app.hardware.shirt.udp import UdpShirt
 
-NOTHING: dict[str, Any] = {"now": None, "layout": None, "files": [], "keys": []}
+NOTHING: dict[str, Any] = {"now": None, "layout": None, "files": [], "keys": [], "found": [], "layouts": []}
 FILES = [
     {"name": "knit.csv", "kind": "signals", "size": 2_000},
     {"name": "body.csv", "kind": "body", "size": 2_000},
@@ -99,6 +99,36 @@ def test_a_form_shows_the_configuration_in_use_and_keeps_what_is_not_shown(drawn
     assert BandConfig.model_validate(page["after"]) == now.model_copy(update={"offset": None})
 
 
+def test_a_device_that_describes_its_channels_needs_no_layout_and_keeps_one_that_was_brought(
+    drawn: Callable[..., Any],
+) -> None:
+    lsl, layout = SHIRTS["lsl"], standard_layout().model_dump(mode="json")
+    new = drawn(lsl, {"layout": layout}, **{"Source ID": "arm-1, arm-2"})  # another shirt is in use
+    assert [field["label"] for field in new["shown"]][:2] == ["Name of the stream", "Source ID"]
+    assert lsl.config.model_validate(new["before"]) == lsl.config(kind="lsl")
+    assert lsl.config.model_validate(new["after"]) == lsl.config(kind="lsl", source_id="arm-1, arm-2")
+    now = lsl.config(kind="lsl", name="Arm", layout=small_layout())
+    page = drawn(lsl, {"layout": layout, "now": now.model_dump(mode="json")})
+    assert lsl.config.model_validate(page["before"]) == now
+    assert page["in_use"] == "LSL streams"
+
+
+def test_a_layout_that_was_saved_is_chosen_by_its_name(drawn: Callable[..., Any]) -> None:
+    udp, standard = SHIRTS["udp"], standard_layout()
+    saved = [small_layout().model_dump(mode="json")]
+    around = {"layout": standard.model_dump(mode="json"), "layouts": saved}
+    page = drawn(udp, around, **{"Saved layout": "small"})
+    shown = {field["label"]: field for field in page["shown"]}
+    assert shown["Saved layout"]["options"] == ["As it is now", "small"]
+    assert udp.config.model_validate(page["before"]).layout == standard
+    assert udp.config.model_validate(page["after"]).layout == small_layout()
+    replay = SHIRTS["replay"]
+    files = {"files": [{"name": "walk.csv", "kind": "signals", "size": 2_000}]}
+    played = drawn(replay, around | files, **{"Saved layout": "small"})
+    assert replay.config.model_validate(played["before"]) == replay.config(kind="replay", file="walk.csv")
+    assert replay.config.model_validate(played["after"]).layout == small_layout()
+
+
 def test_two_sensors_of_the_simulated_shirt_can_be_dead(drawn: Callable[..., Any]) -> None:
     simulator = SHIRTS["simulator"]
     layout = standard_layout().model_dump(mode="json")
@@ -109,3 +139,43 @@ def test_two_sensors_of_the_simulated_shirt_can_be_dead(drawn: Callable[..., Any
     assert page["shown"][-1]["segments"] == ["All work", "Two are dead"]
     assert page["shown"][0]["options"] == ["50 Hz", "100 Hz", "200 Hz", "500 Hz", "1000 Hz"]
     assert page["in_use"] == "Simulated shirt, 100 frames a second"
+
+
+def test_a_choice_is_shown_by_its_words_and_sent_by_its_name(drawn: Callable[..., Any]) -> None:
+    serial = SHIRTS["serial"]
+    page = drawn(serial, {}, **{"Serial line": "/dev/ttyUSB0", "Baud rate": "2000000", "Format": "lines"})
+    shown = {field["label"]: field for field in page["shown"]}
+    assert list(shown) == ["Serial line", "Baud rate", "Format", "Frames a second", "Layout"]
+    assert shown["Format"]["options"] == ["Frames with a checksum", "Plain lines of numbers"]
+    assert shown["Baud rate"]["options"][0] == "115200"
+    assert serial.config.model_validate(page["before"]) == serial.config(kind="serial")
+    after = serial.config.model_validate(page["after"])
+    assert after == serial.config(kind="serial", device="/dev/ttyUSB0", baud=2_000_000, format="lines")
+    assert page["in_use"] == "Shirt on the cable at /dev/ttyUSB0"
+
+
+def test_a_board_is_told_by_what_it_needs_and_its_stream_by_words(drawn: Callable[..., Any]) -> None:
+    brainflow = SHIRTS["brainflow"]
+    page = drawn(brainflow, {}, **{"Data": "emg, accel", "Stream": "auxiliary", "Serial line": "/dev/ttyUSB0"})
+    shown = {field["label"]: field for field in page["shown"]}
+    assert list(shown)[:4] == ["Board", "Data", "Stream", "Serial line"]
+    assert shown["Stream"]["options"] == ["Main stream", "Second stream (auxiliary)", "Third stream (ancillary)"]
+    assert brainflow.config.model_validate(page["before"]) == brainflow.config(kind="brainflow")
+    after = brainflow.config.model_validate(page["after"])
+    assert after == brainflow.config(
+        kind="brainflow", data="emg, accel", preset="auxiliary", serial_port="/dev/ttyUSB0"
+    )
+    assert page["in_use"] == "Board CYTON_BOARD"
+
+
+def test_sensors_that_are_found_are_offered_beside_each_part_of_the_body(drawn: Callable[..., Any]) -> None:
+    slimevr, mine, other = SHIRTS["slimevr"], "A1:B2:C3:D4:E5:F6", "00:00:00:00:00:0A/1"
+    now = slimevr.config(kind="slimevr", trunk=mine)
+    around = {"now": now.model_dump(mode="json"), "found": [other]}
+    page = drawn(slimevr, around, **{"Left forearm": other})
+    shown = {field["label"]: field for field in page["shown"]}
+    assert shown["Trunk"]["options"] == ["None", mine, other]
+    assert shown["Left forearm"]["options"] == ["None", other]
+    assert slimevr.config.model_validate(page["before"]) == now
+    assert slimevr.config.model_validate(page["after"]) == now.model_copy(update={"left_forearm": other})
+    assert page["in_use"] == "Trackers on port 6969"

@@ -4,10 +4,11 @@ import { pathToFileURL } from "node:url";
 
 const { firstGroup } = await import(pathToFileURL(`${process.argv[2]}/results/source_group.js`));
 
-const trials = (...simulated) => simulated.map((one) => ({ source: { simulated: one } }));
+const trials = (...groups) => groups.map((group) => ({ source: { group } }));
 
-assert.equal(firstGroup(trials(true, true)), "simulated"); // a clinic that only practised: no empty page comes first
-assert.equal(firstGroup(trials(false, true)), "worn");
-assert.equal(firstGroup(trials(null, true)), "simulated");
-assert.equal(firstGroup(trials(true, null)), "unknown");
+assert.equal(firstGroup(trials("simulated", "simulated")), "simulated"); // a clinic that only practised: no empty page comes first
+assert.equal(firstGroup(trials("worn", "simulated")), "worn");
+assert.equal(firstGroup(trials("unknown", "simulated")), "simulated");
+assert.equal(firstGroup(trials("simulated", "unknown")), "unknown");
+assert.equal(firstGroup(trials("simulated", "camera")), "camera");
 console.log("the first group holds");

@@ -12,7 +12,7 @@ const LATE_CHECK = 500; // ms between two checks when this page was busy
 const SAY_LOST_AFTER = 700; // ms: a shorter gap is not reported
 
 /**
- * @import { LiveMessage as Clinicians, News as ServerNews, PatientMessage as Patients, Quality } from "types/api"
+ * @import { ArrivalsMoment, LiveMessage as Clinicians, News as ServerNews, PatientMessage as Patients, Quality } from "types/api"
  * @import { News } from "./news.js"
  * @typedef {Partial<Quality> & {news?: ServerNews}} Extras  the condition of the channels, once a second; what changed on the server
  * @typedef {Clinicians & Extras} LiveMessage
@@ -43,6 +43,8 @@ export class Live extends TypedEvents {
   /** @type {(number | null)[]} */
   noise = [];
   shirtWords = "";
+  /** @type {ArrivalsMoment | null} what arrives at the shirt; null: it does not say */
+  arrivals = null;
   connected = true;
   /** @type {number} when the newest message came or the socket was asked for, in ms of performance.now */
   aliveAt = 0;
@@ -140,6 +142,7 @@ export class Live extends TypedEvents {
       this.quality = message.quality;
       this.noise = message.noise ?? [];
       this.shirtWords = message.shirt_words ?? "";
+      this.arrivals = message.arrivals ?? null;
       this.dispatchEvent(new Event("quality"));
     }
     if (message.news?.what === "graphics") this.#countPictures();

@@ -1,5 +1,6 @@
 /** The session that the page shows: requests of the page name it, and the page is covered when another one is open. */
-import { changedFields, OTHER_SESSION, otherSession, SESSION_PAGES } from "../shell/other_session.js";
+import { changedFields, OTHER_SESSION, otherSession } from "../shell/other_session.js";
+import { placeOf } from "../shell/pages.js";
 
 /** @typedef {import("types/api").CurrentSession} CurrentSession */
 
@@ -44,7 +45,7 @@ export class PageSession {
     }
     const [before, now] = [this.#session, app.session];
     if (this.#cover || !now || idOf(now) === idOf(before)) return;
-    if (before?.session && SESSION_PAGES.has(app.route.page)) return this.#coverPage(before, now);
+    if (before?.session && placeOf(app.route.page).ofSession) return this.#coverPage(before, now);
     this.adopt();
     if (app.root.querySelector(".body.empty")) app.show(); // the page says that nobody is here
   }

@@ -11,6 +11,7 @@ import { number } from "../widgets/format.js";
 import { urgency } from "../shell/halt.js";
 import { t } from "../texts.js";
 import { Arrow } from "./arrow.js";
+import { CameraButton } from "./camera_button.js";
 import { CueLayer } from "./cue.js";
 import { Moment } from "./moment.js";
 import { patientPicture } from "./picture.js";
@@ -31,7 +32,7 @@ export function Screen({ store }) {
     h(TestLayer, { now }),
     h(CueLayer, { live, now }),
     h(StopBand, { store }),
-    h("div", { class: "corner" }, h(SoundButton, { store }), h(Speed, { now })),
+    h("div", { class: "corner" }, h(CameraButton, { now }), h(SoundButton, { store }), h(Speed, { now })),
     h(
       "div",
       { class: "band lost", role: "alert", hidden: isConnected },

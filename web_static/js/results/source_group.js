@@ -1,21 +1,19 @@
 /**
- * Groups of trials by their source: worn, simulated, or not recorded; a curve or comparison has one group only.
+ * Groups of trials by their source, such as worn or simulated; a curve or comparison has one group only.
  * @import { ComponentChildren } from "../preact.js"
- * @typedef {"worn" | "simulated" | "unknown"} SourceGroup
- * @typedef {{source: {simulated: boolean | null}}} WithSource a trial, as far as its group goes
+ * @import { SourceView } from "types/api"
+ * @typedef {SourceView["group"]} SourceGroup
+ * @typedef {{source: Pick<SourceView, "group">}} WithSource a trial, as far as its group goes
  */
 import { h } from "../preact.js";
 import { t } from "../texts.js";
 import { Field, Selection } from "../widgets/fields.js";
 
 /** @type {SourceGroup[]} */
-export const GROUPS = ["worn", "simulated", "unknown"];
+export const GROUPS = ["worn", "camera", "phones", "slimevr", "bluetooth", "brainflow", "lsl", "simulated", "unknown"];
 
-/** @param {WithSource} trial @returns {SourceGroup} */
-export function groupOf({ source: { simulated } }) {
-  if (simulated === null) return "unknown";
-  return simulated ? "simulated" : "worn";
-}
+/** @param {WithSource} trial */
+export const groupOf = ({ source: { group } }) => group;
 
 /** The group that is shown first: worn trials where there are some, else that of the newest trial. @param {WithSource[]} trials at least one */
 export function firstGroup(trials) {
@@ -23,14 +21,14 @@ export function firstGroup(trials) {
   return groups.includes("worn") ? "worn" : groups[groups.length - 1];
 }
 
-/** A sign for trials that nobody drove by their own movements; nothing for worn ones. @param {{group: SourceGroup}} mark */
+/** A sign for trials of another source than a worn shirt. @param {{group: SourceGroup}} mark */
 export function GroupMark({ group }) {
   return group === "worn" ? null : h("span", { class: "tag source-mark" }, t(`source-group-${group}`));
 }
 
 /**
  * The cell of a table that names the source of a trial or test.
- * @param {{of: {source: {simulated: boolean | null, description: string}}, children?: ComponentChildren}} cell
+ * @param {{of: {source: Pick<SourceView, "group" | "description">}, children?: ComponentChildren}} cell
  *   children: what stands below it
  */
 export function SourceCell({ of, children }) {

@@ -51,7 +51,7 @@ function EventLine({ event: { at, kind, person, text, facts }, replay, isNewDay 
   const trial = kind === "trial" ? facts.id : facts.trial;
   const marks = [
     interruptionWords(facts),
-    facts.simulated && t("share-simulated"),
+    hasText(`share-source-${facts.source}`) && t(`share-source-${facts.source}`),
     facts.kept === false && t("record-driven-discarded", { reason: String(facts.discard_reason ?? "") }),
   ].filter(Boolean);
   return h(

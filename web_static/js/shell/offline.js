@@ -1,12 +1,11 @@
 /** What is shown while the server does not answer. */
-
-const WITHOUT_PROGRAM = new Set(["plans"]); // pages that work without the program: drawings are kept in this browser
+import { placeOf } from "./pages.js";
 
 /** Whether somebody is signed in, and the server does not answer. @param {import("../main.js").App} app */
 const isOffline = (app) => Boolean(app.me?.signed_in) && !app.live.connected;
 
 /** Whether the page needs the server, which does not answer. @param {import("../main.js").App} app */
-export const isPageOff = (app) => isOffline(app) && !WITHOUT_PROGRAM.has(app.route.page);
+export const isPageOff = (app) => isOffline(app) && !placeOf(app.route.page).withoutProgram;
 
 /** While the server does not answer, mark the frame as offline and disable all pages but those that work without it. @param {import("../main.js").App} app */
 export function showWhetherOffline(app) {

@@ -7,10 +7,7 @@ import { h } from "../widgets/dom.js";
 import { minuteOfDay } from "../widgets/format.js";
 import { icon } from "../widgets/icons.js";
 
-/** Pages that show, or change, what belongs to the open session. */
-export const SESSION_PAGES = new Set(["shirt", "calibrate", "controls", "adapt", "drive"]);
-
-/** The reason with which such a page ends: it sends nothing more. */
+/** The reason with which the page of an earlier session ends: it sends nothing more. */
 export const OTHER_SESSION = "other session";
 
 const FIELDS = "form :is(input:not([type=radio], [type=hidden], [type=file]), textarea)";

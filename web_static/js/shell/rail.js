@@ -1,20 +1,14 @@
 /**
- * The rail: the six steps of a session, which of them are done, where one is, and the settings.
+ * The rail: the steps of a session, which of them are done, where one is, and the settings.
  * @import { FrameState } from "./frame_state.js"
  */
 import { h, render, useComputed } from "../preact.js";
 import { t } from "../texts.js";
 import { h as element } from "../widgets/dom.js";
 import { Icon } from "../widgets/icons.js";
+import { PAGES, placeOf } from "./pages.js";
 
-const STEPS = /** @type {const} */ (["patients", "shirt", "calibrate", "controls", "drive", "review"]);
-const RAIL = /** @type {const} */ ([...STEPS, "settings"]);
-const FOR_REVIEWERS = ["patients", "review", "settings"]; // who looks, and changes nothing
-/** @type {Record<string, string>} pages without a step of their own, and the step that they belong to */
-const BELOW = { interface_test: "drive", attention: "review" };
-const IN_SETTINGS = ["plans", "people", "log", "computer", "backup"]; // opened from there: the rail marks the settings
-/** @type {string[]} */
-export const PAGES = [...RAIL, "attention", "session", "adapt", "interface_test", ...IN_SETTINGS]; // those that have an address of their own
+const STEPS = Object.entries(PAGES).flatMap(([step, { icon }]) => (icon ? [{ step, icon }] : []));
 
 /**
  * How many steps of the open session are done, up to the first that is not: a step behind one that has to be done
@@ -31,7 +25,7 @@ function stepsDone({ session, picture }) {
     controls: hasProfile,
     drive: patient !== null && patient.trials > 0,
   };
-  return STEPS.findIndex((step) => !isDone[step] || step === obstacle?.page);
+  return STEPS.findIndex(({ step }) => !isDone[step] || step === obstacle?.page);
 }
 
 /** @param {import("../main.js").App} app */
@@ -46,17 +40,17 @@ function Links({ state }) {
   const done = useComputed(() => stepsDone(state)).value;
   const page = state.page.value;
   const isReviewer = state.me.value?.role === "reviewer";
-  return RAIL.map((step, i) => {
-    const isAbove = step === "settings" ? IN_SETTINGS.includes(page) : BELOW[page] === step;
-    return h(
+  const { below } = placeOf(page);
+  return STEPS.map(({ step, icon }, i) =>
+    h(
       "a",
       {
         key: step,
         href: `#/${step}`,
-        hidden: isReviewer && !FOR_REVIEWERS.includes(step),
-        "aria-current": step === page ? "page" : isAbove ? "true" : undefined,
+        hidden: isReviewer && !PAGES[step].forReviewers,
+        "aria-current": step === page ? "page" : step === below ? "true" : undefined,
       },
-      h(Icon, { name: step }),
+      h(Icon, { name: icon }),
       h("span", {}, t(`rail-${step}`)),
       h(
         "span",
@@ -64,6 +58,6 @@ function Links({ state }) {
         h(Icon, { name: "tick", size: 14 }),
         h("span", { class: "unseen" }, t("rail-done")),
       ),
-    );
-  });
+    ),
+  );
 }

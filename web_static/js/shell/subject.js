@@ -5,7 +5,7 @@
  */
 import { Fragment, h } from "../preact.js";
 import { t } from "../texts.js";
-import { SESSION_PAGES } from "./other_session.js";
+import { placeOf } from "./pages.js";
 
 /** @typedef {{code: string, sessions: number[]}} Subject `sessions`: numbers of those that the page shows; empty: all */
 
@@ -42,7 +42,7 @@ export function SubjectPlace({ state }) {
 export function pageTitle(app) {
   if (app.lock.isLocked) return t("app-title", { page: t("lock-title") });
   const page = t(`rail-${app.route.page}`);
-  const subject = app.subject || SESSION_PAGES.has(app.route.page) ? subjectOf(app) : null;
+  const subject = app.subject || placeOf(app.route.page).ofSession ? subjectOf(app) : null;
   if (!subject) return t("app-title", { page });
   return t("app-title-of", { code: subject.code, part: part(app, subject), page });
 }

@@ -6,6 +6,7 @@
 import { hasText, t } from "../texts.js";
 
 const SENSOR = /^(\w+)_(\d+)$/; // of a joint: "right_elbow_3"
+const CHANNEL = /^(\w+)_([a-z]+)$/; // what a camera measures of a joint: "right_elbow_bend"
 
 /** Alone, or at the beginning. @param {NamedJoint} joint */
 export function jointLabel({ name, label }) {
@@ -41,6 +42,9 @@ export function sensorWithin(name) {
 function sensor(name, words) {
   const [, joint, number] = SENSOR.exec(name) ?? [];
   if (joint && hasText(`joint-${joint}`)) return t("joint-sensor", { joint: words(joint), number });
+  const [, moved, measure] = CHANNEL.exec(name) ?? [];
+  if (moved && hasText(`joint-${moved}`) && hasText(`channel-${measure}`))
+    return t("joint-channel", { joint: words(moved), what: t(`channel-${measure}`) });
   return asWords(name);
 }
 

@@ -65,6 +65,7 @@ drive-body-visitor = Sie fahren mit den Tastfeldern oder Tasten.
 drive-body-recorded = Die aufgezeichneten Bewegungen einer Person fahren den Rollstuhl. Sie folgen der Strecke nicht.
 drive-body-patient = Der Patient fährt.
 drive-body-change = Ändern
+drive-camera = Selbst bewegen mit dieser Kamera
 drive-plan-label = Grundriss von { $plan } mit der Strecke „{ $path }“
 task-path = Der Linie folgen
 task-follow = Folgen

@@ -3,6 +3,12 @@
 compare-mixed = Diese Durchgänge haben verschiedene Quellen. Deshalb gilt keiner als besser.
 source-group = Durchgänge
 source-group-worn = Getragenes Shirt
+source-group-camera = Kamera
+source-group-phones = Telefone
+source-group-slimevr = Tracker
+source-group-bluetooth = Bluetooth-Sensoren
+source-group-brainflow = Platine (BrainFlow)
+source-group-lsl = Signale über LSL
 source-group-simulated = Simuliert
 source-group-unknown = Quelle nicht erfasst
 source-group-count = { $group } ({ $count })

@@ -12,7 +12,14 @@ share-session = Sitzung { $number }
 share-goal = Ziel
 share-signed = Abgezeichnet
 share-unsigned = Nicht abgezeichnet
-share-simulated = simuliert
+# What a trial was driven with.
+share-source-simulated = simuliert
+share-source-camera = Kamera
+share-source-phones = Telefone
+share-source-slimevr = Tracker
+share-source-bluetooth = Bluetooth-Sensoren
+share-source-brainflow = Platine
+share-source-lsl = LSL
 share-task = { $plan }: { $path }
 share-trajectories =
     { $count ->

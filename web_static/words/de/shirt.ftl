@@ -7,9 +7,12 @@ shirt-lost =
         [one] { $count } Datenpaket ging verloren.
        *[other] { $count } Datenpakete gingen verloren.
     }
-shirt-none = Es gibt noch kein Shirt. Wählen Sie eines unter „Quelle“.
+shirt-none = Es gibt noch kein Shirt. Wählen Sie, woher die Bewegungen kommen.
+# Stands beside the sensors; the lamps are those of the joint that moves.
+shirt-wiggle = Bewegen Sie ein Gelenk: Seine Lampen leuchten auf.
+shirt-moves = Jetzt in Bewegung: { $joint }.
 source-none = Noch kein Shirt. Wählen Sie eines.
-source-worn = Ein getragenes Shirt
+source-worn = Eigene Bewegungen einer Person
 source-practice = Nur zum Üben (simuliert)
 shirt-calibrate = Kalibrieren
 shirt-drive = Weiter zum Fahren
@@ -85,7 +88,14 @@ head-address = Adresse
 head-address-hint = Nur bei einer Gruppe von Geräten. Bei einem einzelnen leer lassen.
 head-ahead = Als geradeaus festlegen
 head-ahead-done = Die jetzige Richtung des Kopfes gilt nun als geradeaus.
-source-title = Quelle
+source-title = Woher kommen die Bewegungen?
+# $what begins with a small letter where the language permits it: “a USB cable”.
+source-needs = Braucht { $what }.
+source-costs = Kostet { $what }.
+source-takes = Dauert { $what }.
+# Above the reason that is found, and what to do about it.
+source-nothing = Es kommt nichts an?
+source-heed = Etwas stimmt nicht
 source-change = Ändern
 source-use = Verwenden
 source-unit = { $value } { $unit }
@@ -94,7 +104,11 @@ source-no-file = Eine Datei dieser Art gibt es hier noch nicht. Fügen Sie unten
 source-host = Empfangen auf
 source-port = Port
 source-layout-wrong = { $file }: Dies ist kein JSON-Dokument. Wählen Sie ein Shirt-Layout.
+source-layout-saved = Gespeichertes Layout
+source-layout-kept = Wie jetzt
 source-key-none = Keiner
+# No sensor.
+source-sensor-none = Keiner
 sender-now = Die Datenpakete kommen von { $shirt }.
 sender-other = Auch von { $other } kommen Datenpakete. Sie werden nicht verwendet, weil der Sender { $shirt } das Shirt ist. Nehmen Sie den neuen Sender nur, wenn das Shirt des Patienten gewechselt oder neu gestartet wurde.
 sender-use = Neuen Sender nehmen

@@ -64,6 +64,7 @@ drive-body-visitor = You drive with the pads or keys.
 drive-body-recorded = The recorded movements of a person drive the chair. They do not follow the path.
 drive-body-patient = The patient drives.
 drive-body-change = Change
+drive-camera = Move it yourself with this camera
 drive-plan-label = Plan of { $plan } with the path “{ $path }”
 task-path = Follow the line
 task-follow = Follow

@@ -3,6 +3,12 @@
 compare-mixed = These trials have different sources, so neither is called better.
 source-group = Trials
 source-group-worn = Worn shirt
+source-group-camera = Camera
+source-group-phones = Phones
+source-group-slimevr = Trackers
+source-group-bluetooth = Bluetooth sensors
+source-group-brainflow = Board (BrainFlow)
+source-group-lsl = Signals over LSL
 source-group-simulated = Simulated
 source-group-unknown = Source not recorded
 source-group-count = { $group } ({ $count })

@@ -12,7 +12,14 @@ share-session = Session { $number }
 share-goal = Goal
 share-signed = Signed off
 share-unsigned = Not signed off
-share-simulated = simulated
+# What a trial was driven with.
+share-source-simulated = simulated
+share-source-camera = camera
+share-source-phones = phones
+share-source-slimevr = trackers
+share-source-bluetooth = Bluetooth sensors
+share-source-brainflow = board
+share-source-lsl = LSL
 share-task = { $plan }: { $path }
 share-trajectories =
     { $count ->

@@ -7,9 +7,12 @@ shirt-lost =
         [one] { $count } frame was lost.
        *[other] { $count } frames were lost.
     }
-shirt-none = There is no shirt yet: choose one under Source.
+shirt-none = There is no shirt yet: choose where the movements come from.
+# Stands beside the sensors; the lamps are those of the joint that moves.
+shirt-wiggle = Move one joint: its lamps light up.
+shirt-moves = Moves now: { $joint }.
 source-none = No shirt yet: choose one.
-source-worn = A shirt that somebody wears
+source-worn = Somebody’s own movements
 source-practice = Practice only (simulated)
 shirt-calibrate = Calibrate
 shirt-drive = Go on to drive
@@ -85,7 +88,14 @@ head-address = Address
 head-address-hint = Only a group of units needs the address. Leave it empty for a single unit.
 head-ahead = Set as straight ahead
 head-ahead-done = The direction of the head is now straight ahead.
-source-title = Source
+source-title = Where do the movements come from?
+# $what begins with a small letter where the language permits it: “a USB cable”.
+source-needs = Needs { $what }.
+source-costs = Costs { $what }.
+source-takes = Takes { $what }.
+# Above the reason that is found, and what to do about it.
+source-nothing = Nothing arrives?
+source-heed = Something is not right
 source-change = Change
 source-use = Use this
 source-unit = { $value } { $unit }
@@ -94,7 +104,11 @@ source-no-file = No file of this kind is here yet: add one below.
 source-host = Listen on
 source-port = Port
 source-layout-wrong = { $file }: this is not a JSON document; choose a shirt layout.
+source-layout-saved = Saved layout
+source-layout-kept = As it is now
 source-key-none = None
+# No sensor.
+source-sensor-none = None
 sender-now = Its frames come from { $shirt }.
 sender-other = Another sender, { $other }, also sends frames. They are not used, because the shirt is the sender at { $shirt }. Use the new sender only when the patient’s shirt was changed or started again.
 sender-use = Use the new sender

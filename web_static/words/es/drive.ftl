@@ -64,6 +64,7 @@ drive-body-visitor = Usted conduce con los botones o las teclas.
 drive-body-recorded = Los movimientos grabados de una persona conducen la silla. No siguen el recorrido.
 drive-body-patient = Conduce el paciente.
 drive-body-change = Cambiar
+drive-camera = Muévala usted con esta cámara
 drive-plan-label = Plano de { $plan } con el recorrido “{ $path }”
 task-path = Seguir la línea
 task-follow = Seguir

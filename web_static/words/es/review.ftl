@@ -3,6 +3,12 @@
 compare-mixed = Estos ensayos tienen orígenes distintos, así que ninguno se califica de mejor.
 source-group = Ensayos
 source-group-worn = Camiseta puesta
+source-group-camera = Cámara
+source-group-phones = Teléfonos
+source-group-slimevr = Rastreadores
+source-group-bluetooth = Sensores Bluetooth
+source-group-brainflow = Placa (BrainFlow)
+source-group-lsl = Señales por LSL
 source-group-simulated = Simulado
 source-group-unknown = Origen no registrado
 source-group-count = { $group } ({ $count })

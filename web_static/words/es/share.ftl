@@ -12,7 +12,14 @@ share-session = Sesión { $number }
 share-goal = Objetivo
 share-signed = Firmada
 share-unsigned = Sin firmar
-share-simulated = simulado
+# What a trial was driven with.
+share-source-simulated = simulado
+share-source-camera = cámara
+share-source-phones = teléfonos
+share-source-slimevr = rastreadores
+share-source-bluetooth = sensores Bluetooth
+share-source-brainflow = placa
+share-source-lsl = LSL
 share-task = { $plan }: { $path }
 share-trajectories =
     { $count ->

@@ -11,9 +11,12 @@ shirt-lost =
         [one] Se perdió { $count } muestra.
        *[other] Se perdieron { $count } muestras.
     }
-shirt-none = Todavía no hay camiseta: elija una en Origen.
+shirt-none = Todavía no hay camiseta: elija de dónde vienen los movimientos.
+# Stands beside the sensors; the lamps are those of the joint that moves.
+shirt-wiggle = Mueva una articulación: se encienden sus indicadores.
+shirt-moves = Se mueve ahora: { $joint }.
 source-none = Todavía no hay camiseta: elija una.
-source-worn = Una camiseta que lleva alguien
+source-worn = Movimientos propios de una persona
 source-practice = Solo práctica (simulada)
 shirt-calibrate = Calibrar
 shirt-drive = Seguir a conducir
@@ -89,7 +92,14 @@ head-address = Dirección
 head-address-hint = Solo para un grupo de unidades; con una sola, deje este campo vacío.
 head-ahead = Fijar como frente
 head-ahead-done = La dirección actual de la cabeza es ahora el frente.
-source-title = Origen
+source-title = ¿De dónde vienen los movimientos?
+# $what begins with a small letter where the language permits it: “a USB cable”.
+source-needs = Hace falta: { $what }.
+source-costs = Coste: { $what }.
+source-takes = Tiempo: { $what }.
+# Above the reason that is found, and what to do about it.
+source-nothing = ¿No llega nada?
+source-heed = Algo no está bien
 source-change = Cambiar
 source-use = Usar este
 source-unit = { $value } { $unit }
@@ -98,7 +108,11 @@ source-no-file = Todavía no hay ningún archivo de este tipo: añada uno abajo.
 source-host = Escuchar en
 source-port = Puerto
 source-layout-wrong = { $file }: no es un documento JSON; elija la disposición de una camiseta.
+source-layout-saved = Disposición guardada
+source-layout-kept = La que hay ahora
 source-key-none = Ninguna
+# No sensor.
+source-sensor-none = Ninguno
 sender-now = Sus muestras llegan de { $shirt }.
 sender-other = También llegan muestras de { $other }. Se descartan, porque la camiseta es el emisor en { $shirt }. Acepte el emisor nuevo solo si se ha cambiado o reiniciado la camiseta del paciente.
 sender-use = Usar el emisor nuevo

@@ -13,8 +13,10 @@ from browser.eyes.states.session_places import trial_stopped
 from playwright.sync_api import expect
 
 from app.api.live.live_picture import ClinicLive
+from app.arrivals import Arrivals
 from app.faults import Fault, State
 from app.news import News
+from app.texts import Text
 
 DRIVE = {"id": 1, "t": 83.0, "waits": None}
 CHAIR = {
@@ -102,6 +104,12 @@ def silent_shirt(where: str) -> Open:
     return steps(lambda _, clinic: clinic.silence(words), at(where), shows(".lamp:has-text('Shirt silent')"))
 
 
+def nothing_arrives(_page: Any, clinic: EyesClinic) -> None:
+    """Let the shirt say why nothing arrives."""
+    why = Text("arrivals-udp-nothing", place="0.0.0.0:5252", port=5252, reach="network")
+    clinic.silence("No frames from a shirt on 0.0.0.0:5252.", Arrivals("nothing", why))
+
+
 def screen_out_of_reach(page: Any, clinic: EyesClinic) -> None:
     """Show a halted trial whose patient's screen is out of reach."""
     trial_stopped(page, clinic)
@@ -151,6 +159,7 @@ LIVE_PLACES: dict[str, Open] = {
         lambda _, clinic: estimated_lamps(clinic), *(at("shirt"), shows("text=49 of 52 sensors are good"), open_legend)
     ),
     "shirt, silent": silent_shirt("shirt"),
+    "shirt, nothing arrives": steps(nothing_arrives, at("shirt"), shows("text=Nothing arrives?")),
     "drive, silent": silent_shirt("drive"),
     "drive, screen out of reach": screen_out_of_reach,
 }

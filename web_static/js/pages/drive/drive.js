@@ -86,8 +86,7 @@ async function drive(app, root, running, where, signal) {
 /** @param {App} app @param {HTMLElement} root @param {string} id of the trial @param {AbortSignal} signal */
 async function over(app, root, id, signal) {
   const read = await readTrial(app.api, id);
-  const source = read.trial.source.simulated ? "simulated" : "worn";
-  const next = await app.api.get(`/patients/${read.trial.patient_id}/next-task?source=${source}`);
+  const next = await app.api.get(`/patients/${read.trial.patient_id}/next-task?source=${read.trial.source.group}`);
   if (signal.aborted) return;
   app.setSubject({ code: read.trial.patient_code, sessions: [read.trial.session_number] });
   /** @param {Place} where @param {boolean} isMain @param {string} words */

@@ -4,10 +4,9 @@ import { canDrawIn3d } from "../../view/webgl.js";
 
 /** With a real chair in use this leads to the page of that chair instead. @param {import("../../main.js").App} app @param {number} patient id */
 export async function beginNextTask(app, patient) {
-  const source = app.practice ? "simulated" : "worn";
   const [chairs, { floorplan, path }] = await Promise.all([
     app.api.get("/chairs"),
-    app.api.get(`/patients/${patient}/next-task?source=${source}`),
+    app.api.get(`/patients/${patient}/next-task`),
   ]);
   if (chairs.chosen !== null) return app.go("#/drive");
   if (!canDrawIn3d()) chooseView("plan");

@@ -36,8 +36,7 @@ export async function showTask(app, root, patient, named, left) {
  */
 async function taskStore(app, patient, [floorplan, path], left) {
   const mayDrive = app.me?.role !== "reviewer";
-  const source = app.practice ? "simulated" : "worn";
-  const readProposal = () => app.api.get(`/patients/${patient}/next-task?source=${source}`);
+  const readProposal = () => app.api.get(`/patients/${patient}/next-task`);
   const [plans, proposal, equipmentNow, chairs, screensNow] = await Promise.all([
     app.api.get("/floorplans"),
     readProposal(),
@@ -123,7 +122,7 @@ function screenState({ screens }) {
 
 /** Who moves, the way to another task, the start of the trial or what it lacks. @param {{store: TaskStore}} foot */
 function Foot({ store }) {
-  const { choice, equipment, obstacle, mayDrive } = store;
+  const { app, choice, equipment, obstacle, mayDrive } = store;
   useFocusWithin(".foot", ".foot .btn.go");
   const { shirt } = equipment.value;
   const way = wayBeforeDriving(shirt, obstacle.value);
@@ -135,6 +134,10 @@ function Foot({ store }) {
       { class: "grow" },
       way ? h("b", {}, way.message) : bodyWords(equipment.value),
       " ",
+      app.me?.demo &&
+        mayDrive &&
+        shirt?.kind === "simulator" &&
+        h("button", { type: "button", class: "btn bare small", onClick: () => moveByCamera(app) }, t("drive-camera")),
       mayDrive &&
         !obstacle.value &&
         shirt?.kind === "simulator" &&
@@ -150,6 +153,15 @@ function Foot({ store }) {
         t(store.has3d ? "drive-start" : "drive-start-plan"),
       ),
   );
+}
+
+/** Take the camera of this device as the shirt, and show it. @param {App} app */
+async function moveByCamera(app) {
+  await app.toasts.attempt(async () => {
+    await app.api.put("/equipment/shirt", { kind: "camera" });
+    (await import("../../camera/camera.js")).startCamera();
+    app.go("#/shirt");
+  });
 }
 
 /** @param {EquipmentView} equipment */

@@ -2,18 +2,15 @@
 import { failureWords } from "../../api.js";
 import { h, useSignal } from "../../preact.js";
 import { t } from "../../texts.js";
-import { Choices } from "../../widgets/fields.js";
 
 /**
- * @typedef {import("../../widgets/fields.js").Choice<string>} Choice
+ * @typedef {import("../../preact.js").ComponentChildren} ComponentChildren
  * @param {object} form
- * @param {string} form.label @param {(Choice | import("../../widgets/fields.js").ChoiceGroup<string>)[]} form.options
- * @param {string} form.chosen @param {(kind: string) => void} form.onChoose
- * @param {() => Promise<void>} form.onUse rejects with a sentence
- * @param {import("../../preact.js").Ref<HTMLButtonElement>} [form.button] @param {boolean} [form.isReady]
- * @param {import("../../preact.js").ComponentChildren} [form.children] the settings
+ * @param {ComponentChildren} form.choices the kinds @param {() => Promise<void>} form.onUse rejects with a sentence
+ * @param {import("../../preact.js").Ref<HTMLDivElement>} [form.place] of the settings and the button
+ * @param {boolean} [form.isReady] @param {ComponentChildren} [form.children] the settings
  */
-export function ChoiceForm({ label, options, chosen, onChoose, onUse, button, isReady = true, children }) {
+export function ChoiceForm({ choices, onUse, place, isReady = true, children }) {
   const problem = useSignal("");
   /** @param {Event} event */
   const submit = async (event) => {
@@ -28,9 +25,13 @@ export function ChoiceForm({ label, options, chosen, onChoose, onUse, button, is
   return h(
     "form",
     { class: "stack", onSubmit: submit },
-    h(Choices, { label, options, chosen, onChange: onChoose }),
-    h("div", { class: "stack settings" }, children),
-    h("p", { class: "problem", role: "alert" }, problem),
-    h("button", { class: "btn go", hidden: !isReady, ref: button }, t("source-use")),
+    choices,
+    h(
+      "div",
+      { class: "stack", ref: place },
+      h("div", { class: "stack settings" }, children),
+      h("p", { class: "problem", role: "alert" }, problem),
+      h("button", { class: "btn go", hidden: !isReady }, t("source-use")),
+    ),
   );
 }

@@ -9,6 +9,8 @@
  * @property {ShirtConfig | null} now the configuration in use when it is of this kind
  * @property {ReadonlySignal<ShirtLayout | null>} layout of the shirt in use
  * @property {ReadonlySignal<FileView[]>} files @property {ReadonlySignal<string[]>} keys names of the keys of paired shirts
+ * @property {ReadonlySignal<string[]>} found names of the sensors that the shirt in use has found
+ * @property {ReadonlySignal<ShirtLayout[]>} layouts those that were saved
  * @typedef {{element: VNode<any> | null, isNarrow?: boolean, read: () => unknown}} FormField narrow ones stand side by side
  * @typedef {(schema: FieldSchema, value: any, around: Surroundings) => FormField} Maker makes a field that shows `value`
  */
@@ -27,6 +29,7 @@ const OF_FORMAT = {
   hidden: (_schema, value) => ({ element: null, read: () => value }),
   "signal-file": signalFile,
   "shirt-key": shirtKey,
+  tracker,
   layout: layoutFile,
   channels,
   stepper: steps,
@@ -113,12 +116,14 @@ function figure(schema, value) {
 }
 
 /** A selection among the values that the schema offers, and the one in use. @type {Maker} */
-function offered({ title = "", description, unit = "", examples, enum: values }, value) {
+function offered({ title = "", description, unit = "", examples, enum: values, titles = {} }, value) {
   const all = values ?? [...new Set([...(examples ?? []), value])].sort((a, b) => Number(a) - Number(b));
   let chosen = value ?? all[0];
+  const words = (/** @type {string | number} */ one) =>
+    typeof one === "number" ? unrounded(one) : (titles[one] ?? one);
   const options = all.map((one) => ({
     value: String(one),
-    label: t("source-unit", { value: typeof one === "number" ? unrounded(one) : String(one), unit }).trim(),
+    label: t("source-unit", { value: words(one), unit }).trim(),
   }));
   const onChange = (/** @type {string} */ name) => void (chosen = all.find((one) => String(one) === name) ?? chosen);
   const select = h(Selection, { options, chosen: String(chosen), onChange });
@@ -181,15 +186,47 @@ function shirtKey({ title = "", description }, value, { keys }) {
   return { element: h(Key, {}), read: () => key || null };
 }
 
-/** A layout out of a file; without one the layout in use, and without that the kind's own. @type {Maker} */
-function layoutFile({ title = "", description }, _value, { layout }) {
+/** A selection among the sensors that the shirt in use has found, and the one in use. @type {Maker} */
+function tracker({ title = "", description }, value, { found }) {
+  let chosen = String(value ?? "");
+  const onChange = (/** @type {string} */ name) => void (chosen = name);
+  const Sensor = () => {
+    const names = [...new Set(["", ...(value ? [String(value)] : []), ...found.value])];
+    const options = names.map((name) => ({ value: name, label: name || t("source-sensor-none") }));
+    return h(Field, { label: title, hint: description }, h(Selection, { options, chosen, onChange }));
+  };
+  return { element: h(Sensor, {}), isNarrow: true, read: () => chosen || null };
+}
+
+/**
+ * A layout out of a file, or one that was saved. Without one: of a kind whose device describes its channels, what the
+ * configuration in use has; of others the layout in use, and without that the kind's own. @type {Maker}
+ */
+function layoutFile(schema, value, { layout, layouts }) {
+  const { title = "", description } = schema;
   /** @type {File | undefined} */
   let file;
+  let name = ""; // of a layout that was saved
   const onChange = (/** @type {Event} */ { currentTarget }) =>
     void (file = /** @type {HTMLInputElement} */ (currentTarget).files?.[0]);
+  const onChoose = (/** @type {string} */ chosen) => void (name = chosen);
+  const Saved = () => {
+    const names = layouts.value.map((one) => one.name);
+    if (!names.length) return null;
+    const options = [
+      { value: "", label: t("source-layout-kept") },
+      ...names.map((one) => ({ value: one, label: one })),
+    ];
+    return h(Field, { label: t("source-layout-saved") }, h(Selection, { options, chosen: name, onChange: onChoose }));
+  };
   const input = h("input", { type: "file", accept: ".json,application/json", onChange });
-  const read = async () => (file ? readDocument(file) : (layout.peek() ?? undefined));
-  return { element: h(Field, { label: title, hint: description }, input), read };
+  const saved = () => layouts.peek().find((one) => one.name === name);
+  const kept = () => (isOptional(schema) ? (value ?? null) : (layout.peek() ?? undefined));
+  const read = async () => (file ? readDocument(file) : (saved() ?? kept()));
+  return {
+    element: h("div", { class: "stack" }, h(Saved, {}), h(Field, { label: title, hint: description }, input)),
+    read,
+  };
 }
 
 /** A line with a control. @param {string} title @param {VNode<any>} control */

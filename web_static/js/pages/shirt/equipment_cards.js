@@ -1,5 +1,6 @@
 /**
- * The cards that say what is in use: the shirt, who is inside, the head tracker; each has a form to change that.
+ * The cards that say what is in use: the source of movements, who is inside a simulated shirt, the head tracker; each
+ * has a form to change that.
  * @import { ShirtStore } from "./store.js"
  * @import { EquipmentView } from "types/api"
  * @import { ComponentChildren } from "../../preact.js"
@@ -10,23 +11,57 @@ import { h, useLayoutEffect, useRef, useSignal } from "../../preact.js";
 import { t } from "../../texts.js";
 import { BodyForm, bodyWords } from "./body_form.js";
 import { HeadActions, HeadForm, headWords } from "./head_card.js";
+import { PairedPhones } from "./paired_phones.js";
 import { ShirtSender } from "./shirt_sender.js";
 import { SourceForm, sourceWords } from "./source_form.js";
+import { SourcePicture } from "./source_pictures.js";
+import { WhatArrives } from "./what_arrives.js";
 
 /** @param {{store: ShirtStore}} card */
 export function SourceCard({ store }) {
   const { app, kinds, equipment } = store;
   const { shirt } = equipment.value;
+  const source = kinds.find(({ kind }) => kind === shirt?.kind);
+  const now = h(
+    "div",
+    { class: "source-now" },
+    shirt && h(SourcePicture, { kind: shirt.kind }),
+    h(
+      "div",
+      { class: "grow" },
+      h("p", {}, sourceWords(shirt, kinds)),
+      source && h("p", { class: "quiet small" }, source.may_arm),
+      shirt && h(WhatArrives, { store }),
+    ),
+  );
   return h(
     Card,
     {
       store,
       name: "source",
-      words: sourceWords(shirt, kinds),
-      startsOpen: !shirt, // choosing a shirt is the next step
+      kind: "source-place",
+      now,
+      startsOpen: !shirt, // choosing one is the next step
       form: (use) => h(SourceForm, { store, onUse: (config) => use(app.api.put("/equipment/shirt", config)) }),
     },
-    kinds.some(({ network, kind }) => network && kind === shirt?.kind) && h(ShirtSender, { store }),
+    source?.network && h(ShirtSender, { store }),
+    shirt?.kind === "phones" && h(PairedPhones, { store }),
+  );
+}
+
+/** Which channels the shirt has, and the way to the page that says where they are. @param {{store: ShirtStore}} card */
+export function LayoutCard({ store }) {
+  const { layout } = store.equipment.value;
+  return h(
+    "section",
+    { class: "card", "data-card": "layout" },
+    h("h2", {}, t("layouts-card")),
+    h(
+      "p",
+      {},
+      layout ? t("layouts-card-now", { name: layout.name, count: layout.channels.length }) : t("layouts-card-none"),
+    ),
+    h("a", { class: "btn small", href: "#/layouts" }, t("layouts-card-go")),
   );
 }
 
@@ -37,7 +72,7 @@ export function BodyCard({ store }) {
   return h(Card, {
     store,
     name: "body",
-    words: body ? bodyWords(body) : "",
+    now: h("p", {}, body ? bodyWords(body) : ""),
     form: (use) => h(BodyForm, { store, onUse: (config) => use(app.api.put("/equipment/body", config)) }),
   });
 }
@@ -51,7 +86,7 @@ export function HeadCard({ store }) {
     {
       store,
       name: "head",
-      words: [headWords(config), config && message].filter(Boolean).join(" "),
+      now: h("p", {}, [headWords(config), config && message].filter(Boolean).join(" ")),
       form: (use) => h(HeadForm, { store, onUse: (chosen) => use(app.api.put("/equipment/head", { config: chosen })) }),
     },
     h(HeadActions, { store }),
@@ -60,11 +95,12 @@ export function HeadCard({ store }) {
 
 /**
  * @param {object} card
- * @param {ShirtStore} card.store @param {"source" | "body" | "head"} card.name @param {string} card.words what is in use
- * @param {boolean} [card.startsOpen] @param {(use: Use) => ComponentChildren} card.form
+ * @param {ShirtStore} card.store @param {"source" | "body" | "head"} card.name @param {string} [card.kind] further classes
+ * @param {ComponentChildren} card.now what is in use @param {boolean} [card.startsOpen]
+ * @param {(use: Use) => ComponentChildren} card.form
  * @param {ComponentChildren} [card.children] below the form
  */
-function Card({ store, name, words, startsOpen = false, form, children }) {
+function Card({ store, name, kind = "", now, startsOpen = false, form, children }) {
   const isOpen = useSignal(startsOpen);
   const changes = useSignal(0);
   const card = useRef(/** @type {HTMLElement | null} */ (null));
@@ -81,9 +117,9 @@ function Card({ store, name, words, startsOpen = false, form, children }) {
   }, [changes.value]);
   return h(
     "section",
-    { class: "card", "data-card": name, ref: card },
+    { class: `card ${kind}`, "data-card": name, ref: card },
     h("h2", {}, t(`${name}-title`)),
-    h("p", {}, words),
+    now,
     h(
       "details",
       {

@@ -10,7 +10,7 @@
 import { limitsOf, numberLimits } from "../../reference.js";
 import { Fragment, h, useLayoutEffect, useMemo, useSignal } from "../../preact.js";
 import { t } from "../../texts.js";
-import { Field } from "../../widgets/fields.js";
+import { Choices, Field } from "../../widgets/fields.js";
 import { ChoiceForm } from "./choice_form.js";
 import { AddFile, FileField } from "./signal_files.js";
 import { endTabletHead, TabletHead } from "./tablet_head.js";
@@ -32,10 +32,12 @@ export function HeadForm({ store, onUse }) {
   return h(
     ChoiceForm,
     {
-      label: t("head-title"),
-      options: KINDS.map((value) => ({ value, label: t(`head-${value}`), hint: t(`head-${value}-hint`) })),
-      chosen: kind.value,
-      onChoose: (chosen) => (kind.value = chosen),
+      choices: h(Choices, {
+        label: t("head-title"),
+        options: KINDS.map((value) => ({ value, label: t(`head-${value}`), hint: t(`head-${value}-hint`) })),
+        chosen: kind.value,
+        onChange: (/** @type {string} */ chosen) => void (kind.value = chosen),
+      }),
       onUse: () => onUse(part.config()),
     },
     h(Fragment, { key: kind.value }, part.fields),

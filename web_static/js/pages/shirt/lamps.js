@@ -49,10 +49,10 @@ export function LampPicture({ quality, size }) {
 
 /**
  * Both sides of the body with a lamp for every channel.
- * @param {{layout: import("types/api").ShirtLayout, qualities: string[], picked: string, onPick: (name: string) => void}} body
- *   picked: the name of a channel
+ * @param {{layout: import("types/api").ShirtLayout, qualities: string[], moving: number[], picked: string,
+ *   onPick: (name: string) => void}} body moving: indices of the channels whose lamps light up; picked: the name of a channel
  */
-export function BodyLamps({ layout, qualities, picked, onPick }) {
+export function BodyLamps({ layout, qualities, moving, picked, onPick }) {
   const lamps = useMemo(() => lampsOf(layout.channels), [layout]);
   const labels = labelsOf(layout.joints);
   const elements = useRef(/** @type {(SVGGElement | null)[]} */ ([]));
@@ -76,6 +76,7 @@ export function BodyLamps({ layout, qualities, picked, onPick }) {
         transform: `translate(${x} ${y})`,
         role: "radio",
         "data-quality": quality,
+        "data-moving": moving.includes(index) ? "" : undefined,
         "aria-label": `${sensorName(name)}, ${labels[joint]}: ${t(`quality-${quality}`)}`,
         "aria-checked": name === picked,
         tabindex: name === picked || (!picked && index === 0) ? 0 : -1,

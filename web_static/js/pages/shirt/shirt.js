@@ -1,17 +1,20 @@
 /**
- * The shirt: where its signals come from, who is inside, and how every sensor is.
+ * The shirt: where the movements come from, who is inside, and how every sensor is.
  * @import { ShirtLayout } from "types/api"
  * @import { ShirtKind } from "types/documents"
  * @import { ShirtStore } from "./store.js"
  */
-import { BodyCard, HeadCard, SourceCard } from "./equipment_cards.js";
-import { drawFoot, drawPage, Fragment, h } from "../../preact.js";
+import { stopCamera } from "../../camera/camera.js";
+import { CameraCard } from "../../camera/camera_card.js";
+import { BodyCard, HeadCard, LayoutCard, SourceCard } from "./equipment_cards.js";
+import { drawFoot, drawPage, Fragment, h, useLayoutEffect } from "../../preact.js";
 import { jointStrips } from "../../charts/joint_strips.js";
 import { jointWithin } from "../../widgets/joint_words.js";
 import { BodyLamps, LampPicture, QUALITIES } from "./lamps.js";
 import { Made } from "../../widgets/made.js";
 import { pads } from "../../widgets/pads.js";
 import { SensorCard } from "./sensor_card.js";
+import { Spoken } from "./spoken.js";
 import { shirtStore } from "./store.js";
 import { t } from "../../texts.js";
 
@@ -23,42 +26,41 @@ export async function show(app, root, { signal: left }) {
   const [view, kinds] = await Promise.all([app.api.get("/equipment"), app.api.get("/equipment/shirts")]);
   if (left.aborted) return;
   const store = shirtStore(app, view, /** @type {ShirtKind[]} */ (kinds), left);
-  drawPage(root, h(Page, { store, isShirtFirst: view.shirt !== null }));
+  drawPage(root, h(Page, { store }));
   drawFoot(root, h(Foot, { store }));
 }
 
-/** @param {{store: ShirtStore, isShirtFirst: boolean}} page isShirtFirst: otherwise the cards are on the first side */
-function Page({ store, isShirtFirst }) {
-  const sides = [h(Sensors, { key: "sensors", store }), h(Cards, { key: "cards", store })];
+/** @param {{store: ShirtStore}} page */
+function Page({ store }) {
   return h(
     Fragment,
     {},
     h("h1", { tabindex: -1 }, t("shirt-title")),
     h(State, { store }),
-    // Without a shirt, first the one thing to do; it keeps its side when one has been chosen.
-    h("div", { class: "shirt-columns" }, isShirtFirst ? sides : sides.reverse()),
+    h(SourceCard, { store }),
+    h("div", { class: "shirt-columns" }, h(Sensors, { store }), h(Cards, { store })),
     h(Signals, { store }),
   );
 }
 
 /** @param {{store: ShirtStore}} words */
-function State({ store: { live, state } }) {
-  const { sentence, isNews } = state.value;
-  const { qualities, lost } = live.value;
+function State({ store: { live, sentence } }) {
+  const { qualities, lost, arrivals } = live.value;
   const all = qualities.length;
   const good = qualities.filter((quality) => quality === "good").length;
+  const isSaidBelow = arrivals?.verdict === "unopened"; // with what to do
   const figures = [all ? t("shirt-words-count", { good, all }) : "", lost ? t("shirt-lost", { count: lost }) : ""];
   return h(
     "p",
     { class: "lead" },
-    h("span", { "aria-live": isNews ? "polite" : "off" }, sentence), // a screen reader is silent about figures that count
+    !isSaidBelow && h(Spoken, { words: sentence.value }),
     " ",
     h("span", {}, figures.filter(Boolean).join(" ")),
   );
 }
 
 /** @param {{store: ShirtStore}} sensors */
-function Sensors({ store: { equipment, live, picked } }) {
+function Sensors({ store: { equipment, live, moving, picked } }) {
   const layout = equipment.value.layout ?? NO_LAYOUT;
   return h(
     "div",
@@ -75,6 +77,7 @@ function Sensors({ store: { equipment, live, picked } }) {
       h(BodyLamps, {
         layout,
         qualities: live.value.qualities,
+        moving: moving.value,
         picked: picked.value,
         onPick: (name) => void (picked.value = name),
       }),
@@ -88,6 +91,10 @@ function Cards({ store }) {
   const { channels, joints } = store.equipment.value.layout ?? NO_LAYOUT;
   const index = channels.findIndex(({ name }) => name === store.picked.value);
   const { name = "", joint = "" } = channels[index] ?? {};
+  const kind = store.equipment.value.shirt?.kind;
+  useLayoutEffect(() => {
+    if (kind !== "camera") stopCamera();
+  }, [kind]);
   return h(
     "div",
     { class: "stack" },
@@ -99,8 +106,9 @@ function Cards({ store }) {
         index,
         joint: jointWithin(joints.find((one) => one.name === joint) ?? { name: joint, label: joint }),
       }),
-    h(SourceCard, { key: "source", store }),
-    store.equipment.value.shirt?.kind === "simulator" && h(BodyCard, { key: "body", store }),
+    kind === "camera" && h(CameraCard, { key: "camera" }),
+    h(LayoutCard, { key: "layout", store }),
+    kind === "simulator" && h(BodyCard, { key: "body", store }),
     h(HeadCard, { key: "head", store }),
     h(store.ReplacedList, { key: "replaced" }),
   );

@@ -1,5 +1,6 @@
 /**
- * Where the shirt's signals come from: the form, and the configuration that it makes.
+ * Where the movements come from: the form, and the configuration that it makes.
+ * @import { ShirtLayout } from "types/api"
  * @import { Body } from "types/requests"
  * @import { ShirtStore } from "./store.js"
  * @import { ShirtConfig, ShirtKind } from "types/documents"
@@ -9,6 +10,7 @@ import { computed, Fragment, h, useLayoutEffect, useMemo, useRef, useSignal } fr
 import { t } from "../../texts.js";
 import { ChoiceForm } from "./choice_form.js";
 import { configFields } from "./config_fields.js";
+import { SourceChoices } from "./source_choices.js";
 
 /** In one line what is in use. @param {ShirtConfig | null} shirt @param {ShirtKind[]} shirts */
 export function sourceWords(shirt, shirts) {
@@ -21,7 +23,15 @@ export function sourceWords(shirt, shirts) {
 export function SourceForm({ store: { app, kinds, equipment }, onUse }) {
   const first = useMemo(() => equipment.peek().shirt, []);
   const kind = useSignal(first?.kind ?? "");
-  const button = useRef(/** @type {HTMLButtonElement | null} */ (null));
+  const layouts = useSignal(/** @type {ShirtLayout[]} */ ([]));
+  const settings = useRef(/** @type {HTMLDivElement | null} */ (null));
+  useLayoutEffect(() => {
+    if (app.me?.role === "reviewer") return; // who only looks sees no layouts
+    app.api.get("/layouts").then(
+      ({ own, bundled }) => void (layouts.value = [...own, ...bundled].map((one) => one.layout)),
+      () => null, // a file can be brought all the same
+    );
+  }, []);
   const parts = useMemo(() => {
     const chosen = kinds.find((one) => one.kind === kind.value);
     if (!chosen) return null;
@@ -31,28 +41,20 @@ export function SourceForm({ store: { app, kinds, equipment }, onUse }) {
       layout: computed(() => equipment.value.layout),
       files: computed(() => equipment.value.files),
       keys: computed(() => equipment.value.shirt_keys),
+      found: computed(() => equipment.value.status.found),
+      layouts,
     });
   }, [kind.value]);
   useLayoutEffect(() => {
-    if (kind.value !== (first?.kind ?? "")) button.current?.scrollIntoView({ block: "nearest" }); // it is the next step
+    // They are the next step. Of more than the window holds, their beginning comes into view.
+    if (kind.value !== (first?.kind ?? "")) settings.current?.scrollIntoView({ block: "nearest" });
   }, [kind.value]);
-  /** @param {boolean} isSimulated */
-  const offered = (isSimulated) =>
-    kinds
-      .filter(({ simulated }) => simulated === isSimulated)
-      .map(({ kind: value, form }) => ({ value, label: form.title, hint: form.description }));
   return h(
     ChoiceForm,
     {
-      label: t("source-title"),
-      options: [
-        { words: t("source-worn"), options: offered(false) },
-        { words: t("source-practice"), options: offered(true) },
-      ],
-      chosen: kind.value,
-      onChoose: (chosen) => (kind.value = chosen),
+      choices: h(SourceChoices, { kinds, chosen: kind.value, onChoose: (chosen) => void (kind.value = chosen) }),
       onUse: async () => void (parts && (await onUse(/** @type {ShirtRequest} */ (await parts.config())))),
-      button,
+      place: settings,
       isReady: parts !== null,
     },
     h(Fragment, { key: kind.value }, parts?.fields),

@@ -5,6 +5,7 @@
  * @typedef {ReturnType<typeof shirtStore>} ShirtStore
  */
 import { failureWords } from "../../api.js";
+import { movingNow } from "../../live/moving_channels.js";
 import { concerns } from "../../live/news.js";
 import { signal } from "../../preact.js";
 import { t } from "../../texts.js";
@@ -20,21 +21,18 @@ export function shirtStore(app, first, kinds, left) {
     qualities: app.live.quality,
     noise: app.live.noise,
     lost: app.live.latest?.shirt.lost ?? 0,
+    arrivals: app.live.arrivals,
     isSending: app.live.present?.shirt.alive !== false,
     session: app.session,
   });
   const live = signal(readLive());
-  /** The state of the shirt. `isNews`: it says something else than before, not only other figures. */
-  const state = signal({ sentence: "", isNews: false });
+  const sentence = signal(""); // the state of the shirt
+  const { moving, most } = movingNow(app.live, left);
   const picked = signal(""); // name of a channel
   const read = async () => take(await app.api.get("/equipment"));
   const replaced = replacedList(app, ["file"], read);
   /** @param {string} words */
-  const setState = (words) => {
-    const sentence = equipment.value.shirt ? words : t("shirt-none");
-    const isNews = withoutFigures(sentence) !== withoutFigures(state.value.sentence);
-    state.value = { sentence, isNews };
-  };
+  const setState = (words) => void (sentence.value = equipment.value.shirt ? words : t("shirt-none"));
   /** @param {EquipmentView} view */
   const take = (view) => {
     equipment.value = /** @type {Equipment} */ (view);
@@ -62,8 +60,5 @@ export function shirtStore(app, first, kinds, left) {
   );
   app.addEventListener("equipment", ({ detail }) => take(detail), { signal: left });
   const { ReplacedList } = replaced;
-  return { app, left, kinds, equipment, live, state, picked, ReplacedList, take, setUnused };
+  return { app, left, kinds, equipment, live, sentence, moving, most, picked, ReplacedList, take, setUnused };
 }
-
-/** @param {string} words */
-const withoutFigures = (words) => words.replace(/\d+/g, "");

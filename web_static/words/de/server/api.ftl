@@ -123,7 +123,7 @@ api-wrong-upload = „{ $name }“ ist weder eine CSV- noch eine Parquet-Datei. 
 api-upload-too-large = „{ $name }“ ist größer als { $megabytes } MB. Kürzen Sie die Datei, oder speichern Sie sie als Parquet.
 api-upload-empty = „{ $name }“ ist leer. Wählen Sie eine andere Datei.
 # $count is a count of numbers in the file.
-api-upload-columns = „{ $name }“ hat keine Spalte t mit Kanälen daneben, oder die Datei enthält mehr als { NUMBER($count, useGrouping: 1) } Zahlen. Die erste Zeile muss t und jeden Kanal nennen.
+api-upload-columns = „{ $name }“ hat keine Spalte mit Zeiten (t) und Kanälen daneben, oder die Datei enthält mehr als { NUMBER($count, useGrouping: 1) } Zahlen. Eine Zeile über den Zahlen muss die Zeit und jeden Kanal nennen.
 # $problem is the reason that the operating system gives.
 api-upload-not-kept = „{ $name }“ lässt sich nicht speichern ({ $problem }). Schaffen Sie Speicherplatz, und fügen Sie die Datei dann noch einmal hinzu.
 

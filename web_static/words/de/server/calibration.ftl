@@ -24,6 +24,8 @@ calibration-move-wrist =
         [left] Beugen Sie das linke Handgelenk
        *[right] Beugen Sie das rechte Handgelenk
     }
+calibration-move-head = Drehen Sie den Kopf zu einer Seite
+calibration-move-trunk = Neigen Sie den Oberkörper zu einer Seite
 calibration-move = Bewegen: { $joint }
 
 ## What is wrong with a sensor. The name of the sensor stands before it, as in "Channel e3 is left out: gives no numbers."

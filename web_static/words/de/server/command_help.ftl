@@ -21,6 +21,7 @@ cli-help-serve-certificate = Ein eigenes Zertifikat für --lan: eine PEM-Datei m
 cli-help-serve-key = Der private Schlüssel dieses Zertifikats: eine PEM-Datei.
 cli-help-serve-behind-proxy = Die Adresse des Reverse-Proxys der Klinik, des einzigen Zugangs; braucht --name.
 cli-help-serve-name = Der Name, oder NAME:PORT, unter dem Browser den Proxy erreichen.
+cli-help-serve-lsl = Fahrbefehle, Gesten und Marker über LSL an LabRecorder senden; jeder im Netz kann sie lesen.
 
 ## check and service
 
@@ -35,7 +36,15 @@ cli-help-service-install-print = Die Unit ausgeben und nichts ändern.
 
 ## calibrate and decode. A column of a CSV file, such as start, is not translated.
 
-cli-help-signals = CSV oder Parquet, oder der Ordner einer Aufzeichnung.
+cli-help-signals = CSV, Parquet, XLSX, MATLAB, C3D, EDF, XDF oder BVH, oder der Ordner einer Aufzeichnung.
+cli-help-signals-command = Zeigen, was eine Datei mit Signalen enthält, bevor sie verwendet wird.
+cli-help-signals-show = Zeigen, was eine Datei mit Signalen enthält: Spalten, Zeit mit ihrer Einheit, Abtastrate, Kanäle und Gelenke.
+cli-help-signals-layout = Das Layout des Shirts, JSON; ohne diese Option das neben der Datei.
+cli-help-signals-out = Wohin die Signale geschrieben werden, so wie sie gelesen werden: eine Datei .parquet mit t in Sekunden.
+cli-help-signals-time = Die Spalte mit den Zeiten.
+cli-help-signals-unit = Die Einheit der Zeiten: s, ms, us, ns, min, h oder d.
+cli-help-signals-rate = Die Abtastrate, Hz: die Abtastwerte sind gleichmäßig, was auch immer ihre Zeiten sagen.
+cli-help-signals-channels = Die Spalten der Kanäle, in der Reihenfolge des Layouts.
 cli-help-layout = Das Layout des Shirts, JSON.
 cli-help-calibrate = Ein Kalibrierungsprofil aus einer Datei mit Signalen berechnen: für jedes Gelenk Hauptbewegung, Bereich, Vorzeichen und Schwellenwerte.
 cli-help-calibrate-out = Wohin das Kalibrierungsprofil geschrieben wird, JSON.
@@ -83,7 +92,7 @@ cli-help-prior-import-file = Die eigene Starthilfe einer Klinik, wie `export` si
 cli-help-score = Eine Fahrspur an einer vorgegebenen Strecke messen; s und m.
 # A further paragraph.
 cli-help-score-following = Eine Fahrspur, die auf der Strecke nicht weiter vorn endet, als sie begonnen hat, und nicht am Ziel, hat keine Messwerte dafür, wie gut sie folgt. Zwei Schleifen um dieselbe Stelle in Gegenrichtung heben sich in der Fläche neben der Strecke auf; der gefahrene Weg zählt beide.
-cli-help-score-trajectory = CSV oder Parquet mit den Spalten t, x, y.
+cli-help-score-trajectory = CSV oder Parquet mit den Spalten t, x, y; TUM, EuRoC oder KITTI; ein Bag von ROS oder MCAP.
 cli-help-score-path = CSV oder Parquet mit den Spalten x, y: die Punkte der Strecke.
 cli-help-score-goal-radius = Wie nah am Ende der Strecke das Ziel als erreicht gilt, m.
 cli-help-study = Eine simulierte Person kalibrieren und dann immer wieder eine Strecke fahren lassen, und jeden Durchgang messen.

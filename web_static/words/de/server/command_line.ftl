@@ -160,7 +160,40 @@ cli-score-places = { $file }: x und y müssen Meter sein, höchstens { $most } v
 cli-score-too-long = { $file }: dauert { $seconds } s, mehr als einen Tag, geben Sie t in Sekunden an, für einen Durchgang
 cli-score-rows = { $file }: die Zeilen liegen meist { $seconds } s auseinander, geben Sie t in Sekunden an, nicht in Millisekunden
 cli-score-speed = { $file }: die mittlere Geschwindigkeit ist { $speed } m/s, geben Sie x und y in Metern an und t in Sekunden
+cli-score-slow = { $file }: die mittlere Geschwindigkeit ist { $speed } m/s bei Zeilen im Abstand von { $seconds } s, geben Sie t in Sekunden an, nicht in Millisekunden
 cli-score-loops = Zwei Schleifen um dieselbe Stelle in Gegenrichtung heben sich in der Fläche auf, der gefahrene Weg zählt beide.
+
+## signals. column, unit, role, ... are titles of a table.
+
+cli-signals-title-column = Spalte
+cli-signals-title-unit = Einheit
+cli-signals-title-role = enthält
+cli-signals-title-joint = Gelenk
+cli-signals-title-least = kleinster Wert
+cli-signals-title-most = größter Wert
+cli-signals-title-missing = fehlt
+cli-signals-role =
+    { $role ->
+        [time] Zeit
+        [channel] Kanal
+        [other-time] andere Zeit
+        [counter] Zähler
+        [text] Wörter
+        [empty] nichts
+        [constant] einen Wert
+       *[unused] nicht verwendet
+    }
+cli-signals-summary =
+    { $channels ->
+        [one] { $rows } Abtastwerte, { $seconds } s, mit { $rate } Hz, { $channels } Kanal.
+       *[other] { $rows } Abtastwerte, { $seconds } s, mit { $rate } Hz, { $channels } Kanäle.
+    }
+cli-signals-suffix = --out { $file }: der Name muss mit .parquet enden
+cli-signals-rate = --rate { $rate }: geben Sie Hz von { $least } bis { $most } an
+cli-signals-unit = --unit { $unit }: geben Sie eine dieser Einheiten an: { $known }
+cli-signals-channels = --channels { $channels }: geben Sie verschiedene Namen von Spalten an, mit Kommas dazwischen
+# problem: a sentence without a full stop.
+cli-signals-correct = { $problem } (oder sagen Sie es mit --time, --unit oder --rate; was eine Datei enthält, zeigt bodydrive signals show)
 
 ## study
 

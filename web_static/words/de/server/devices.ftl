@@ -3,8 +3,9 @@
 # $given is what a person wrote, in quotes.
 device-no-host = { $given } ist keine Adresse; schreiben Sie einen Namen wie chair.local oder eine Adresse wie 192.168.1.20
 device-no-line = { $given } ist keine serielle Schnittstelle; schreiben Sie einen Namen wie /dev/ttyUSB0 oder COM3
+device-no-cable = { $given } ist eine Funkverbindung (Bluetooth), über die auch andere senden könnten; schließen Sie die Platine mit ihrem Kabel an
 
-# $kind and $kinds are names in configurations, which are not translated: simulator, replay, udp
+# $kind and $kinds are names in configurations, which are not translated: simulator, replay, serial, udp
 device-unknown-kind =
     { $device ->
         [body] einen Körper der Art „{ $kind }“ gibt es nicht; verwenden Sie eine dieser Arten: { $kinds }

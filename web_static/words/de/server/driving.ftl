@@ -37,6 +37,7 @@ drives-opening = Gerade wird ein anderes Gerät geöffnet. Warten Sie einen Mome
 drives-wrong-sender = Dieser Sender sendet keine Datenpakete dieses Shirts. Sehen Sie auf der Seite „Shirt“ nach, welcher es tut.
 drives-keys-move-nobody = Die Tasten bewegen in diesem Shirt niemanden. Wählen Sie zuerst „Sie“ als Körper.
 drives-no-tablet = Es wird kein Tablet als Kopftracker verwendet. Wählen Sie es zuerst auf der Seite „Shirt“.
+drives-no-camera = Die Kamera ist nicht das verwendete Shirt. Wählen Sie sie zuerst auf der Seite „Shirt“.
 drives-no-pose = Der Kopftracker hat noch nicht gemeldet, wohin der Kopf blickt. Warten Sie auf die erste Kopfhaltung.
 drives-run-ending = Die Aufzeichnung wird gerade beendet. Beginnen Sie zuerst eine neue.
 drives-another-stop = Inzwischen gab es einen weiteren Stopp. Sehen Sie sich um, und tippen Sie dann noch einmal auf „Fortsetzen“.

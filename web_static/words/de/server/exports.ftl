@@ -7,12 +7,12 @@ exports-recording-missing = Diese Aufzeichnung fehlt.
 exports-bids-name = bodydrive-Aufzeichnungen von { $patient }
 # File README of such a data set. tracksys-shirt, tracksys-wheelchair, LATENCY and BodydriveSource are names in its files.
 exports-bids-readme =
-    Signale eines Shirts mit Dehnungssensoren und der Rollstuhl, der damit gefahren wurde, von bodydrive.
+    Signale eines Shirts mit Dehnungssensoren oder der Sensoren an seiner Stelle und der Rollstuhl, der damit gefahren wurde, von bodydrive.
 
     tracksys-shirt: die Kanäle des Shirts, eine Zeile für jedes Datenpaket, das ankam.
     tracksys-wheelchair: Lage (Ort und Richtung) und Fahrbefehle, eine Zeile für jeden Takt der Regelschleife.
     Jede Bewegungsdatei beginnt mit der Spalte LATENCY: Sekunden seit dem Beginn der Aufzeichnung.
-    Die Begleitdatei jeder Datei gibt an, ob die Signale simuliert sind (BodydriveSource).
+    Die Begleitdatei jeder Datei gibt an, woher die Signale kommen und ob sie simuliert sind (BodydriveSource).
 exports-method-test = Zwei-Minuten-Test: Ziele auf einem Kreuz, mit einem Punkt erreicht, während sich kein Rollstuhl bewegt
 # How a measure was taken: the title of the floor plan, and the name of the path on it.
 exports-method-trial = { $plan }, Strecke { $path }

@@ -28,7 +28,14 @@ names-person-taken = Es gibt schon eine Person mit dem Namen „{ $other }“, u
 
 source-shirt-simulator = Simuliertes Shirt
 source-shirt-replay = Aufgezeichnete Signale
+source-shirt-serial = Getragenes Shirt am Kabel
 source-shirt-udp = Getragenes Shirt
+source-shirt-slimevr = Getragene Tracker
+source-shirt-camera = Kamera
+source-shirt-phones = Getragene Telefone
+source-shirt-bluetooth = Getragene Bluetooth-Sensoren
+source-shirt-brainflow = Getragene Platine (BrainFlow)
+source-shirt-lsl = Signale über LSL
 source-shirt-unknown = Shirt nicht erfasst
 source-other-shirt = Shirt der Art „{ $kind }“
 source-body-person = simulierte Person

@@ -127,7 +127,7 @@ report-condition-others =
     }
 report-fact-calibration = Kalibrierung
 # $origin is how this version of the calibration came about, $parent the version that it was made from (0: none),
-# $methods how it was calibrated, $body whose movements they were.
+# $methods how it was calibrated, $source what was worn, or saw the movements.
 report-calibration =
     Version { $version }{ $origin ->
         [adaptation] , angepasst
@@ -140,7 +140,13 @@ report-calibration =
             [back] statt Version { $parent }
            *[other] aus Version { $parent }
         }
-    }, { $methods }{ $body ->
+    }, { $methods }{ $source ->
+        [camera] , mit einer Kamera
+        [phones] , mit Telefonen
+        [slimevr] , mit Trackern
+        [bluetooth] , mit Bluetooth-Sensoren
+        [brainflow] , mit einer Platine (BrainFlow)
+        [lsl] , mit Signalen über LSL
         [simulated] , mit simuliertem Shirt
         [unknown] , Quelle nicht erfasst
        *[worn] { "" }

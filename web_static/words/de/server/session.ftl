@@ -66,6 +66,9 @@ visit-no-file =
        *[file] Eine Datei „{ $name }“ gibt es hier nicht. Fügen Sie sie zuerst mit „Datei hinzufügen“ hinzu.
     }
 visit-keys-used-up = Alle Nummern für Schlüssel von Shirts sind vergeben. Beginnen Sie mit einem neuen Ordner für die Klinik.
+# Of the phones that are paired as sensors.
+visit-no-phone = Ein Telefon { $number } gibt es nicht. Sehen Sie die Liste noch einmal an.
+visit-phones-most = Alle { $most } Nummern für Telefone sind vergeben. Entkoppeln Sie zuerst eines.
 visit-chair-virtual = Der virtuelle Rollstuhl: Nur das Bild bewegt sich.
 visit-chair-not-open = Der Rollstuhl ist nicht geöffnet. Wählen Sie ihn neu.
 # $name is the name of a chair.

@@ -55,6 +55,7 @@ store-code-over = Die Sitzung dieses Codes ist beendet. Bitten Sie um einen neue
 store-screens-most = Es sind schon { $most } Bildschirme gekoppelt. Entkoppeln Sie zuerst einen auf der Seite der Fachkraft.
 
 store-steps-mixed = Manche Schritte wurden mit einem Shirt aufgezeichnet, das niemand trägt, andere mit einem getragenen. Beginnen Sie die Kalibrierung neu, mit einem von beiden.
+store-steps-mixed-sensors = Manche Schritte wurden mit anderen Sensoren aufgezeichnet als die übrigen. Beginnen Sie die Kalibrierung neu, mit einer einzigen Art von Sensoren.
 store-step-interrupted = Während dieses Schritts wurde das Programm neu gestartet. Wiederholen Sie ihn.
 store-not-calibrated = Noch ist nichts kalibriert. Kalibrieren Sie zuerst, und tippen Sie auf „{ result-accept }“.
 store-set-of-other-version = Eine andere Version des Programms hat diese Steuerung gespeichert, und diese kann sie nicht lesen. Kalibrieren Sie neu, oder starten Sie jene Version.

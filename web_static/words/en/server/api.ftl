@@ -123,7 +123,7 @@ api-wrong-upload = '{ $name }' is not a CSV or Parquet file: save it as one of t
 api-upload-too-large = '{ $name }' is larger than { $megabytes } MB: cut it, or save it as Parquet.
 api-upload-empty = '{ $name }' is empty: choose another file.
 # $count is a count of numbers in the file.
-api-upload-columns = '{ $name }' has no column t with channels beside it, or more than { NUMBER($count, useGrouping: 1) } numbers: the first row must name t and each channel.
+api-upload-columns = '{ $name }' has no column of times (t) with channels beside it, or more than { NUMBER($count, useGrouping: 1) } numbers: a row above the numbers must name the time and each channel.
 # $problem is the reason that the operating system gives.
 api-upload-not-kept = '{ $name }' cannot be kept ({ $problem }): free some disk space, then add it again.
 

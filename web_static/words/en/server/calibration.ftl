@@ -24,6 +24,8 @@ calibration-move-wrist =
         [left] Bend your left wrist
        *[right] Bend your right wrist
     }
+calibration-move-head = Turn your head to one side
+calibration-move-trunk = Lean to one side
 calibration-move = Move: { $joint }
 
 ## What is wrong with a sensor. The name of the sensor stands before it, as in "Channel e3 is left out: gives no numbers."

@@ -21,6 +21,7 @@ cli-help-serve-certificate = A certificate of your own for --lan: a PEM file, wi
 cli-help-serve-key = The private key of that certificate: a PEM file.
 cli-help-serve-behind-proxy = The address of the clinic's own reverse proxy, the only way in; needs --name.
 cli-help-serve-name = The name, or NAME:PORT, by which browsers reach the proxy.
+cli-help-serve-lsl = Send commands, gestures and markers to LabRecorder over LSL; everybody on the network can read them.
 
 ## check and service
 
@@ -35,7 +36,15 @@ cli-help-service-install-print = Print the unit, and change nothing.
 
 ## calibrate and decode. A column of a CSV file, such as start, is not translated.
 
-cli-help-signals = CSV or Parquet, or the folder of a recording.
+cli-help-signals = CSV, Parquet, XLSX, MATLAB, C3D, EDF, XDF or BVH, or the folder of a recording.
+cli-help-signals-command = Show what a file of signals holds, before it is used.
+cli-help-signals-show = Show what a file of signals holds: its columns, its time with its unit, its sample rate, its channels and joints.
+cli-help-signals-layout = The shirt's layout, JSON; without it that beside the file.
+cli-help-signals-out = Where the signals go, as they are read: a .parquet file with t in seconds.
+cli-help-signals-time = The column of times.
+cli-help-signals-unit = The unit of the times: s, ms, us, ns, min, h or d.
+cli-help-signals-rate = The sample rate, Hz: the samples are even, whatever their times say.
+cli-help-signals-channels = The columns of the channels, in the order of the layout.
 cli-help-layout = The shirt's layout, JSON.
 cli-help-calibrate = Fit a calibration profile to a file of signals: per joint its main movement, span, sign and thresholds.
 cli-help-calibrate-out = Where the calibration profile goes, JSON.
@@ -83,7 +92,7 @@ cli-help-prior-import-file = A clinic's own prior, as `export` writes it.
 cli-help-score = Score a driven trajectory against a prescribed path; s and m.
 # A further paragraph.
 cli-help-score-following = A drive that ends no further along the path than it began, and not at its goal, has no measures of following. Two loops around one place in opposite directions cancel in the area off the path; the distance driven counts both.
-cli-help-score-trajectory = CSV or Parquet with columns t, x, y.
+cli-help-score-trajectory = CSV or Parquet with columns t, x, y; TUM, EuRoC or KITTI; a bag of ROS or MCAP.
 cli-help-score-path = CSV or Parquet with columns x, y: the path's points.
 cli-help-score-goal-radius = How near the path's end counts as reached, m.
 cli-help-study = Let a simulated person calibrate, then drive a path again and again, and score every trial.

@@ -160,7 +160,40 @@ cli-score-places = { $file }: x and y must be metres, at most { $most } from 0: 
 cli-score-too-long = { $file }: it lasts { $seconds } s, more than a day: give t in seconds, of one trial
 cli-score-rows = { $file }: its rows are usually { $seconds } s apart: give t in seconds, not in milliseconds
 cli-score-speed = { $file }: its mean speed is { $speed } m/s: give x and y in metres, and t in seconds
+cli-score-slow = { $file }: its mean speed is { $speed } m/s with rows { $seconds } s apart: give t in seconds, not in milliseconds
 cli-score-loops = Two loops around one place in opposite directions cancel in the area; the distance driven counts both.
+
+## signals. column, unit, role, ... are titles of a table.
+
+cli-signals-title-column = column
+cli-signals-title-unit = unit
+cli-signals-title-role = holds
+cli-signals-title-joint = joint
+cli-signals-title-least = least
+cli-signals-title-most = most
+cli-signals-title-missing = missing
+cli-signals-role =
+    { $role ->
+        [time] time
+        [channel] channel
+        [other-time] another time
+        [counter] counter
+        [text] words
+        [empty] nothing
+        [constant] one value
+       *[unused] not used
+    }
+cli-signals-summary =
+    { $channels ->
+        [one] { $rows } samples, { $seconds } s, at { $rate } Hz, { $channels } channel.
+       *[other] { $rows } samples, { $seconds } s, at { $rate } Hz, { $channels } channels.
+    }
+cli-signals-suffix = --out { $file }: its name must end in .parquet
+cli-signals-rate = --rate { $rate }: give Hz from { $least } to { $most }
+cli-signals-unit = --unit { $unit }: give one of { $known }
+cli-signals-channels = --channels { $channels }: give different names of columns with commas between them
+# problem: a sentence without a full stop.
+cli-signals-correct = { $problem } (or say it with --time, --unit or --rate; bodydrive signals show tells what a file holds)
 
 ## study
 

@@ -3,8 +3,9 @@
 # $given is what a person wrote, in quotes.
 device-no-host = { $given } is no address: write a name such as chair.local, or an address such as 192.168.1.20
 device-no-line = { $given } is no serial line: write a name such as /dev/ttyUSB0 or COM3
+device-no-cable = { $given } is a radio link (Bluetooth), over which others could send: connect the board by its cable
 
-# $kind and $kinds are names in configurations, which are not translated: simulator, replay, udp
+# $kind and $kinds are names in configurations, which are not translated: simulator, replay, serial, udp
 device-unknown-kind =
     { $device ->
         [body] there is no body of the kind '{ $kind }': use one of { $kinds }

@@ -37,6 +37,7 @@ drives-opening = Another device is being opened: wait a moment, then try again.
 drives-wrong-sender = This sender sends no frames of this shirt: look at the Shirt page which sender does.
 drives-keys-move-nobody = The keys move nobody in this shirt: choose “You” as the body first.
 drives-no-tablet = No tablet is used as the head tracker: choose it on the Shirt page first.
+drives-no-camera = The camera is not the shirt in use: choose it on the Shirt page first.
 drives-no-pose = The head tracker has not said where the head looks: wait for its first pose.
 drives-run-ending = The recording is being ended: begin a new one, then arm.
 drives-another-stop = There was another stop meanwhile: look around, then tap Continue again.

@@ -7,12 +7,12 @@ exports-recording-missing = This recording is missing.
 exports-bids-name = bodydrive recordings of { $patient }
 # File README of such a data set. tracksys-shirt, tracksys-wheelchair, LATENCY and BodydriveSource are names in its files.
 exports-bids-readme =
-    Signals of a shirt with strain sensors, and the wheelchair that they drove, by bodydrive.
+    Signals of a shirt with strain sensors, or of what stood in for it, and the wheelchair that they drove, by bodydrive.
 
     tracksys-shirt: the channels of the shirt, one row for each frame that came.
     tracksys-wheelchair: pose and commands, one row for each turn of the control loop.
     Each motion file begins with the column LATENCY: seconds since the start of the run.
-    The sidecar of each file says whether the signals are simulated (BodydriveSource).
+    The sidecar of each file says where the signals come from, and whether they are simulated (BodydriveSource).
 exports-method-test = Two-minute test: targets on a cross, reached with a cursor, while no chair moves
 # How a measure was taken: the title of the floor plan, and the name of the path on it.
 exports-method-trial = { $plan }, path { $path }

@@ -28,7 +28,14 @@ names-person-taken = There is somebody called '{ $other }' already, and '{ $name
 
 source-shirt-simulator = Simulated shirt
 source-shirt-replay = Recorded signals
+source-shirt-serial = Worn shirt on a cable
 source-shirt-udp = Worn shirt
+source-shirt-slimevr = Worn trackers
+source-shirt-camera = Camera
+source-shirt-phones = Worn phones
+source-shirt-bluetooth = Worn Bluetooth sensors
+source-shirt-brainflow = Worn board (BrainFlow)
+source-shirt-lsl = Signals over LSL
 source-shirt-unknown = Shirt not recorded
 source-other-shirt = Shirt of the kind '{ $kind }'
 source-body-person = simulated person

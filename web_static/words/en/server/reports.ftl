@@ -127,7 +127,7 @@ report-condition-others =
     }
 report-fact-calibration = Calibration
 # $origin is how this version of the calibration came about, $parent the version that it was made from (0: none),
-# $methods how it was calibrated, $body whose movements they were.
+# $methods how it was calibrated, $source what was worn, or saw the movements.
 report-calibration =
     Version { $version }{ $origin ->
         [adaptation] , adapted
@@ -140,7 +140,13 @@ report-calibration =
             [back] in place of
            *[other] from
         } version { $parent }
-    }, { $methods }{ $body ->
+    }, { $methods }{ $source ->
+        [camera] , with a camera
+        [phones] , with phones
+        [slimevr] , with trackers
+        [bluetooth] , with Bluetooth sensors
+        [brainflow] , with a board (BrainFlow)
+        [lsl] , with signals over LSL
         [simulated] , of a simulated shirt
         [unknown] , source not recorded
        *[worn] { "" }

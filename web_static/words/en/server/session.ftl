@@ -66,6 +66,9 @@ visit-no-file =
        *[file] There is no file '{ $name }' here: bring it with 'Add a file' first.
     }
 visit-keys-used-up = Every number of a shirt's key was used: begin with a new folder for the clinic.
+# Of the phones that are paired as sensors.
+visit-no-phone = There is no phone { $number }: look at the list again.
+visit-phones-most = All { $most } numbers of phones are taken: unpair one first.
 visit-chair-virtual = The virtual chair: nothing moves but the picture.
 visit-chair-not-open = The chair is not open: choose it again.
 # $name is the name of a chair.

@@ -55,6 +55,7 @@ store-code-over = The session of this code has ended: ask for a new code.
 store-screens-most = { $most } screens are paired already: unpair one on the clinician's page first.
 
 store-steps-mixed = Some steps were recorded in a shirt that nobody wears, others in a worn one: begin the calibration anew, in one of them.
+store-steps-mixed-sensors = Some steps were recorded with other sensors than the rest: begin the calibration anew, with one kind of sensors.
 store-step-interrupted = The program was restarted during this step: repeat it.
 store-not-calibrated = Nothing is calibrated yet: calibrate first, and tap “{ result-accept }”.
 store-set-of-other-version = These controls were saved by another version of the program, and this one cannot read them: calibrate again, or start that version.

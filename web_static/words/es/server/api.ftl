@@ -123,7 +123,7 @@ api-wrong-upload = “{ $name }” no es un archivo CSV ni Parquet: guárdelo co
 api-upload-too-large = “{ $name }” ocupa más de { $megabytes } MB: recórtelo, o guárdelo como Parquet.
 api-upload-empty = “{ $name }” está vacío: elija otro archivo.
 # $count is a count of numbers in the file.
-api-upload-columns = “{ $name }” no tiene una columna t con canales al lado, o contiene más de { NUMBER($count, useGrouping: 1) } números: la primera fila debe nombrar t y cada canal.
+api-upload-columns = “{ $name }” no tiene una columna de tiempos (t) con canales al lado, o contiene más de { NUMBER($count, useGrouping: 1) } números: una fila encima de los números debe nombrar el tiempo y cada canal.
 # $problem is the reason that the operating system gives.
 api-upload-not-kept = “{ $name }” no se puede guardar ({ $problem }): libere espacio en el disco y añádalo otra vez.
 

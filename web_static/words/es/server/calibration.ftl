@@ -24,6 +24,8 @@ calibration-move-wrist =
         [left] Doble la muñeca izquierda
        *[right] Doble la muñeca derecha
     }
+calibration-move-head = Gire la cabeza hacia un lado
+calibration-move-trunk = Incline el cuerpo hacia un lado
 calibration-move = Mueva: { $joint }
 
 ## What is wrong with a sensor. The name of the sensor stands before it, as in "Channel e3 is left out: gives no numbers."

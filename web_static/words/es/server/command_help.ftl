@@ -21,6 +21,7 @@ cli-help-serve-certificate = Un certificado propio para --lan: un archivo PEM, c
 cli-help-serve-key = La clave privada de ese certificado: un archivo PEM.
 cli-help-serve-behind-proxy = La dirección del proxy inverso de la clínica, la única entrada; necesita --name.
 cli-help-serve-name = El nombre, o NAME:PORT, con el que los navegadores llegan al proxy.
+cli-help-serve-lsl = Enviar comandos, gestos y marcas a LabRecorder por LSL; cualquiera en la red puede leerlos.
 
 ## check and service
 
@@ -35,7 +36,15 @@ cli-help-service-install-print = Mostrar la unidad y no cambiar nada.
 
 ## calibrate and decode. A column of a CSV file, such as start, is not translated.
 
-cli-help-signals = CSV o Parquet, o la carpeta de una grabación.
+cli-help-signals = CSV, Parquet, XLSX, MATLAB, C3D, EDF, XDF o BVH, o la carpeta de una grabación.
+cli-help-signals-command = Mostrar qué contiene un archivo de señales antes de usarlo.
+cli-help-signals-show = Mostrar qué contiene un archivo de señales: columnas, tiempo con su unidad, frecuencia de muestreo, canales y articulaciones.
+cli-help-signals-layout = La disposición de la camiseta, JSON; sin esta opción, la que está junto al archivo.
+cli-help-signals-out = Dónde se escriben las señales tal como se leen: un archivo .parquet con t en segundos.
+cli-help-signals-time = La columna de los tiempos.
+cli-help-signals-unit = La unidad de los tiempos: s, ms, us, ns, min, h o d.
+cli-help-signals-rate = La frecuencia de muestreo, Hz: las muestras son uniformes, digan lo que digan sus tiempos.
+cli-help-signals-channels = Las columnas de los canales, en el orden de la disposición.
 cli-help-layout = La disposición de la camiseta, JSON.
 cli-help-calibrate = Ajustar un perfil de calibración a un archivo de señales: de cada articulación, su movimiento principal, rango, signo y umbrales.
 cli-help-calibrate-out = Dónde se escribe el perfil de calibración, JSON.
@@ -83,7 +92,7 @@ cli-help-prior-import-file = El prior propio de una clínica, como lo escribe `e
 cli-help-score = Medir una trayectoria respecto a un recorrido indicado; s y m.
 # A further paragraph.
 cli-help-score-following = Si la trayectoria no termina más adelante en el recorrido de donde empezó, ni en su meta, no tiene medidas de cómo lo sigue. Dos vueltas alrededor de un mismo lugar en sentidos opuestos se anulan en el área fuera del recorrido; la distancia recorrida cuenta ambas.
-cli-help-score-trajectory = CSV o Parquet con las columnas t, x, y.
+cli-help-score-trajectory = CSV o Parquet con las columnas t, x, y; TUM, EuRoC o KITTI; un bag de ROS o MCAP.
 cli-help-score-path = CSV o Parquet con las columnas x, y: los puntos del recorrido.
 cli-help-score-goal-radius = A qué distancia del final del recorrido este cuenta como alcanzado, m.
 cli-help-study = Hacer que una persona simulada calibre y conduzca después un recorrido una y otra vez, y medir cada ensayo.

@@ -160,7 +160,40 @@ cli-score-places = { $file }: x e y deben ser metros, a { $most } de 0 como máx
 cli-score-too-long = { $file }: dura { $seconds } s, más de un día: indique t en segundos, de un solo ensayo
 cli-score-rows = { $file }: sus filas suelen estar a { $seconds } s unas de otras: indique t en segundos, no en milisegundos
 cli-score-speed = { $file }: su velocidad media es de { $speed } m/s: indique x e y en metros, y t en segundos
+cli-score-slow = { $file }: su velocidad media es de { $speed } m/s con filas a { $seconds } s unas de otras: indique t en segundos, no en milisegundos
 cli-score-loops = Dos vueltas alrededor de un mismo lugar en sentidos opuestos se anulan en el área; la distancia recorrida cuenta ambas.
+
+## signals. column, unit, role, ... are titles of a table.
+
+cli-signals-title-column = columna
+cli-signals-title-unit = unidad
+cli-signals-title-role = contiene
+cli-signals-title-joint = articulación
+cli-signals-title-least = mínimo
+cli-signals-title-most = máximo
+cli-signals-title-missing = falta
+cli-signals-role =
+    { $role ->
+        [time] tiempo
+        [channel] canal
+        [other-time] otro tiempo
+        [counter] contador
+        [text] palabras
+        [empty] nada
+        [constant] un solo valor
+       *[unused] no se usa
+    }
+cli-signals-summary =
+    { $channels ->
+        [one] { $rows } muestras, { $seconds } s, a { $rate } Hz, { $channels } canal.
+       *[other] { $rows } muestras, { $seconds } s, a { $rate } Hz, { $channels } canales.
+    }
+cli-signals-suffix = --out { $file }: el nombre debe terminar en .parquet
+cli-signals-rate = --rate { $rate }: indique Hz de { $least } a { $most }
+cli-signals-unit = --unit { $unit }: indique una de estas unidades: { $known }
+cli-signals-channels = --channels { $channels }: indique nombres distintos de columnas, separados por comas
+# problem: a sentence without a full stop.
+cli-signals-correct = { $problem } (o indíquelo con --time, --unit o --rate; bodydrive signals show muestra qué contiene un archivo)
 
 ## study
 

@@ -3,8 +3,9 @@
 # $given is what a person wrote, in quotes.
 device-no-host = { $given } no es una dirección: escriba un nombre como chair.local o una dirección como 192.168.1.20
 device-no-line = { $given } no es una línea serie: escriba un nombre como /dev/ttyUSB0 o COM3
+device-no-cable = { $given } es una conexión por radio (Bluetooth), por la que otros podrían enviar: conecte la placa con su cable
 
-# $kind and $kinds are names in configurations, which are not translated: simulator, replay, udp
+# $kind and $kinds are names in configurations, which are not translated: simulator, replay, serial, udp
 device-unknown-kind =
     { $device ->
         [body] no hay ningún cuerpo del tipo “{ $kind }”: use uno de los tipos { $kinds }

@@ -37,6 +37,7 @@ drives-opening = Se está abriendo otro dispositivo: espere un momento e intént
 drives-wrong-sender = Este emisor no envía muestras de esta camiseta: vea en la página Camiseta qué emisor las envía.
 drives-keys-move-nobody = Las teclas no mueven a nadie en esta camiseta: elija primero “Usted” como cuerpo.
 drives-no-tablet = No se usa ninguna tableta como seguimiento de la cabeza: elíjala primero en la página Camiseta.
+drives-no-camera = La cámara no es la camiseta en uso: elíjala primero en la página Camiseta.
 drives-no-pose = El seguimiento de la cabeza todavía no ha indicado hacia dónde mira la cabeza: espere a que llegue su primera posición.
 drives-run-ending = La grabación está terminando: empiece primero una nueva.
 drives-another-stop = Mientras tanto hubo otra parada: compruebe el entorno y después toque Continuar otra vez.

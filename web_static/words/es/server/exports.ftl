@@ -7,12 +7,12 @@ exports-recording-missing = Falta el archivo de esta grabación.
 exports-bids-name = Grabaciones de { $patient } con bodydrive
 # File README of such a data set. tracksys-shirt, tracksys-wheelchair, LATENCY and BodydriveSource are names in its files.
 exports-bids-readme =
-    Señales de una camiseta con sensores de deformación y de la silla de ruedas que se condujo con ellas, grabadas con bodydrive.
+    Señales de una camiseta con sensores de deformación, o de los sensores que la sustituyeron, y de la silla de ruedas que se condujo con ellas, grabadas con bodydrive.
 
     tracksys-shirt: los canales de la camiseta, una fila por cada muestra que llegó.
     tracksys-wheelchair: posición, orientación y comandos, una fila por cada ciclo del bucle de control.
     Cada archivo motion empieza por la columna LATENCY: segundos desde el comienzo de la grabación.
-    El archivo JSON que acompaña a cada archivo indica si las señales son simuladas (BodydriveSource).
+    El archivo JSON que acompaña a cada archivo indica de dónde vienen las señales y si son simuladas (BodydriveSource).
 exports-method-test = Prueba de dos minutos: dianas en una cruz, que se alcanzan con un cursor mientras no se mueve ninguna silla
 # How a measure was taken: the title of the floor plan, and the name of the path on it.
 exports-method-trial = { $plan }, recorrido “{ $path }”

@@ -28,7 +28,14 @@ names-person-taken = Ya hay una persona con el nombre “{ $other }”, y “{ $
 
 source-shirt-simulator = Camiseta simulada
 source-shirt-replay = Señales grabadas
+source-shirt-serial = Camiseta puesta con cable
 source-shirt-udp = Camiseta puesta
+source-shirt-slimevr = Rastreadores puestos
+source-shirt-camera = Cámara
+source-shirt-phones = Teléfonos puestos
+source-shirt-bluetooth = Sensores Bluetooth puestos
+source-shirt-brainflow = Placa puesta (BrainFlow)
+source-shirt-lsl = Señales por LSL
 source-shirt-unknown = Sin datos de la camiseta
 source-other-shirt = Camiseta del tipo “{ $kind }”
 source-body-person = persona simulada

@@ -127,7 +127,7 @@ report-condition-others =
     }
 report-fact-calibration = Calibración
 # $origin is how this version of the calibration came about, $parent the version that it was made from (0: none),
-# $methods how it was calibrated, $body whose movements they were.
+# $methods how it was calibrated, $source what was worn, or saw the movements.
 report-calibration =
     Versión { $version }{ $origin ->
         [adaptation] , adaptada
@@ -140,7 +140,13 @@ report-calibration =
             [back] al volver desde
            *[other] a partir de
         } la versión { $parent }
-    }, { $methods }{ $body ->
+    }, { $methods }{ $source ->
+        [camera] , con una cámara
+        [phones] , con teléfonos
+        [slimevr] , con rastreadores
+        [bluetooth] , con sensores Bluetooth
+        [brainflow] , con una placa (BrainFlow)
+        [lsl] , con señales por LSL
         [simulated] , de una camiseta simulada
         [unknown] , origen no registrado
        *[worn] { "" }

@@ -66,6 +66,9 @@ visit-no-file =
        *[file] Aquí no hay ningún archivo “{ $name }”: tráigalo primero con “Añadir archivo”.
     }
 visit-keys-used-up = Ya se han usado todos los números de clave de camisetas: empiece con una carpeta nueva para la clínica.
+# Of the phones that are paired as sensors.
+visit-no-phone = No hay ningún teléfono { $number }: mire la lista otra vez.
+visit-phones-most = Los { $most } números de teléfonos están ocupados: desvincule antes uno.
 visit-chair-virtual = La silla virtual: solo se mueve la imagen.
 visit-chair-not-open = La silla no está abierta: elíjala otra vez.
 # $name is the name of a chair.

@@ -55,6 +55,7 @@ store-code-over = La sesión de este código ha terminado: pida un código nuevo
 store-screens-most = Ya hay { $most } pantallas vinculadas: desvincule primero una en la página del profesional.
 
 store-steps-mixed = Algunos pasos se grabaron con una camiseta que no lleva nadie y otros con una camiseta puesta: empiece de nuevo la calibración con una sola de las dos.
+store-steps-mixed-sensors = Algunos pasos se grabaron con otros sensores que los demás: empiece de nuevo la calibración con un solo tipo de sensores.
 store-step-interrupted = El programa se reinició durante este paso: repítalo.
 store-not-calibrated = Todavía no hay nada calibrado: calibre primero y toque “{ result-accept }”.
 store-set-of-other-version = Estos controles los guardó otra versión del programa, y esta no puede leerlos: calibre de nuevo, o inicie aquella versión.

@@ -1,0 +1,64 @@
+"""Reads one foreign file in the process of `app.isolated_reader`, and writes what it holds in a form of our own."""
+
+from importlib import import_module
+from pathlib import Path
+from typing import Final, TypedDict
+
+from app.signals.foreign.kinds import KINDS
+from app.signals.foreign.recording import ForeignRecording, MissingLibraryError
+from app.texts import Text, text_of, to_document
+
+PARQUET: Final = "table.parquet"
+TEXT: Final = "table.tsv"
+FEWEST: Final = 2  # rows of a recording
+
+
+class FileQuestion(TypedDict):
+    """A file, the name of its kind, and the folder that the table is written to."""
+
+    file: str
+    kind: str
+    folder: str
+
+
+def answer(question: FileQuestion) -> dict[str, object]:
+    """Write the table of a file into `question["folder"]`: its name there, and what was left out.
+
+    Raises
+    ------
+    ValueError
+        One sentence: the file, what is wrong, what to do.
+    """
+    file, folder = question["file"], Path(question["folder"])
+    kind = next(each for each in KINDS if each.name == question["kind"])
+    try:
+        read = import_module(kind.module).read(Path(file))
+    except MissingLibraryError as error:
+        raise ValueError(
+            Text("signals-library-missing", file=file, kind=kind.name, library=str(error), extra=kind.extra)
+        ) from error
+    except MemoryError:
+        raise
+    except Exception as error:  # whatever a library raises for a damaged file
+        if isinstance(text_of(error), Text):
+            raise
+        raise ValueError(Text("signals-foreign-damaged", file=file, kind=kind.name)) from error
+    if isinstance(read, str):
+        (folder / TEXT).write_text(read, encoding="utf-8")
+        return {"table": TEXT, "note": None}
+    if not read.columns or len(next(iter(read.columns.values()))) < FEWEST:
+        raise ValueError(Text("signals-foreign-empty", file=file, kind=kind.name))
+    _write(folder / PARQUET, read)
+    return {"table": PARQUET, "note": None if read.note is None else to_document(read.note)}
+
+
+def _write(path: Path, recording: ForeignRecording) -> None:
+    import pyarrow as pa
+    import pyarrow.parquet as pa_parquet
+
+    fields = [
+        pa.field(name, pa.float64(), metadata={"unit": recording.units[name]} if name in recording.units else None)
+        for name in recording.columns
+    ]
+    table = pa.table([pa.array(values) for values in recording.columns.values()], schema=pa.schema(fields))
+    pa_parquet.write_table(table, path, compression="zstd")

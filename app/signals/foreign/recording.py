@@ -1,0 +1,94 @@
+"""What a reader of a foreign file gives: columns of one length with their units, and the time."""
+
+from collections import Counter
+from collections.abc import Iterable, Mapping, Sequence
+from dataclasses import dataclass, field
+from importlib import import_module
+from typing import Any, Final, NamedTuple
+
+import numpy as np
+from numpy.typing import NDArray
+
+from app.texts import Text
+
+OWN_TIME: Final = "t"
+ROUNDING: Final = 1e-6  # s by which a sample may be later, for what clocks are rounded to
+OLDEST: Final = 3.0  # periods: an older sample stands for none
+
+
+@dataclass(frozen=True, slots=True)
+class ForeignRecording:
+    """Columns (n,), with their units where the file says them; a time that a rate says is the column t, in s."""
+
+    columns: dict[str, NDArray[np.float64]]
+    units: Mapping[str, str] = field(default_factory=dict)
+    note: Text | None = None
+
+
+class SampledStream(NamedTuple):
+    """Channels that were sampled together."""
+
+    name: str
+    t: NDArray[np.float64]  # (n,) s, not falling
+    values: NDArray[np.float64]  # (n, k)
+    names: Sequence[str]  # of the k channels
+    units: Sequence[str]  # empty where the file says none
+
+
+def library(name: str) -> Any:
+    """Return a library of the extra `files`; raise MissingLibraryError when it is not installed."""
+    try:
+        return import_module(name)
+    except ImportError as error:
+        raise MissingLibraryError(name.partition(".")[0]) from error
+
+
+class MissingLibraryError(Exception):
+    """A library that reads a kind of files is not installed; its argument is the library's name."""
+
+
+def even_times(count: int, rate: float) -> NDArray[np.float64]:
+    """Return the times (count,) of samples at `rate` (Hz), s."""
+    return np.arange(count) / rate
+
+
+def joined(streams: Sequence[SampledStream]) -> ForeignRecording:
+    """Return streams as one table at the times of the one with the most samples.
+
+    The others have their newest sample there, and NaN where that is older than 3 of their periods. With several
+    streams, the name of each stands before those of its channels.
+    """
+    base = max(streams, key=lambda stream: len(stream.t))
+    columns: dict[str, NDArray[np.float64]] = {OWN_TIME: base.t}
+    units: dict[str, str] = {OWN_TIME: "s"}
+    several = len(streams) > 1
+    for stream in streams:
+        values = stream.values if stream is base else newest_samples(stream, base.t)
+        names = unique_names(f"{stream.name} {name}" if several else name for name in stream.names)
+        for index, name in enumerate(names):
+            own = name if name not in columns else f"{name} ({len(columns)})"
+            columns[own] = values[:, index]
+            if stream.units[index]:
+                units[own] = stream.units[index]
+    return ForeignRecording(columns, units)
+
+
+def newest_samples(stream: SampledStream, t: NDArray[np.float64]) -> NDArray[np.float64]:
+    """Return the newest samples (m, k) of a stream at the times `t` (m,), NaN where there is none, or an old one."""
+    newest = np.searchsorted(stream.t, t + ROUNDING, side="right") - 1
+    values = stream.values[np.maximum(newest, 0)]
+    steps = np.diff(stream.t)
+    period = float(np.median(steps)) if len(steps) else np.inf
+    missing = (newest < 0) | (t - stream.t[np.maximum(newest, 0)] > OLDEST * period)
+    values[missing] = np.nan
+    return values
+
+
+def unique_names(names: Iterable[str]) -> list[str]:
+    """Return names of which no two are equal: later ones have their number behind."""
+    count: Counter[str] = Counter()
+    found = []
+    for name in names:
+        count[name] += 1
+        found.append(name if count[name] == 1 else f"{name} ({count[name]})")
+    return found

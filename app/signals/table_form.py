@@ -1,0 +1,292 @@
+"""Finds the form of a table in text by its beginning: its dialect, its header, its units, where its rows begin.
+
+Programs write lines about the device above the header, units below it or in it, an index without a name before the
+first column, and separators behind the last one. The rows at the end of the beginning decide: a dialect is right when
+most of their cells are numbers, and the rows begin at the first line that is like them.
+"""
+
+import csv
+import re
+from collections.abc import Iterator, Sequence
+from itertools import islice, pairwise
+from typing import Final, Literal, NamedTuple
+
+from app.signals.cells import is_like_a_number, is_missing, is_moment, is_number
+from app.signals.column_names import bare_names, is_units
+from app.signals.csv_dialect import (
+    BLANKS,
+    SEPARATORS,
+    UTF_8,
+    Dialect,
+    cells_of,
+    encoding_of,
+    is_comment,
+    names_of,
+    without_mark,
+)
+from app.signals.row_places import RowPlaces
+from app.signals.time_names import time_names
+from app.texts import Text
+
+HEAD: Final = 200_000  # bytes of a file by which its form is found
+SAMPLE: Final = 80  # lines at the end of the head
+MOST_ABOVE: Final = 4  # lines above the rows that can belong to the header
+NO_NAME: Final = re.compile(r"Unnamed: \d+")  # pandas calls a column so
+FOLLOWING: Final = 6  # rows of which half must be like the first one
+
+Kind = Literal["number", "moment", "text", "empty"]
+
+
+class TableForm(NamedTuple):
+    """How a table in text is to be read; a column without a name has an empty one."""
+
+    dialect: Dialect
+    names: tuple[str, ...]
+    units: tuple[str, ...]  # empty where the file says none
+    kinds: tuple[Kind, ...]  # by the first rows
+    first: int  # line of the first row, from 0; that of the end where there is none
+    has_header: bool
+
+    def header_place(self, file: str) -> Text:
+        """Return the place of the line above the rows, of the first one where there is no header."""
+        return RowPlaces(file).line(max(self.first, 1))
+
+
+class Line(NamedTuple):
+    """A line of a text and its number, from 0."""
+
+    number: int
+    text: str
+
+
+def form_of_head(head: bytes, file: str) -> TableForm:
+    """Return the form of the table in a file that begins with `head`, HEAD bytes or all; errors as of `form_of`."""
+    encoding = encoding_of(head)
+    if encoding is None:
+        raise ValueError(Text("signals-no-csv", file=file))
+    text = head.decode(encoding, "ignore").rstrip("\0")
+    if len(head) == HEAD:  # the last line may be cut
+        text = text[: text.rfind("\n") + 1] or text
+    return form_of(text, file, encoding)
+
+
+def form_of(text: str, file: str, encoding: str = UTF_8) -> TableForm:
+    """Return the form of the table that begins with `text`, whole lines of the file.
+
+    Raises
+    ------
+    ValueError
+        One sentence: the file, what is wrong, what to do.
+    """
+    lines = [Line(number, line.rstrip("\r")) for number, line in enumerate(text.split("\n"))]
+    filled = [line for line in lines if line.text.strip()]
+    rows = [line for line in filled if not is_comment(line.text)]
+    if not filled:
+        raise ValueError(Text("signals-empty", file=file))
+    if any("\r" in line.text for line in filled):
+        raise ValueError(Text("signals-line-ends", file=file))
+    try:
+        dialect, width = _dialect_of(rows[-SAMPLE:], encoding)
+        return _form(filled, rows, dialect, width, file)
+    except csv.Error as error:
+        raise ValueError(Text("signals-no-csv", file=file)) from error
+
+
+def _form(filled: Sequence[Line], rows: Sequence[Line], dialect: Dialect, width: int, file: str) -> TableForm:
+    first = _first_row(rows, dialect, width)
+    if first is None:
+        return _without_rows(filled, rows, dialect, width, file)
+    above = [line for line in filled if line.number < rows[first].number]
+    cells = [cells_of(line.text, dialect.separator) for line in rows[first : first + SAMPLE]]
+    of_width = [row for row in cells if len(row) == width]
+    kinds = _kinds(of_width, width)
+    names, units = _header(above, dialect.separator, width)
+    place = RowPlaces(file).line(rows[first].number + 1)
+    if names and len(names) == width - 1:
+        if kinds[-1] == "empty":  # separators behind the rows
+            names, units = [*names, ""], [*units, ""]
+        elif _is_index([row[0] for row in of_width]):
+            names, units = ["", *names], ["", *units]
+        else:
+            raise ValueError(Text("signals-cells", place=place, count=width, expected=len(names)))
+    if not names and above and (expected := _count_of_names(above[-1], dialect)) > 1 < width:
+        raise ValueError(Text("signals-cells", place=place, count=width, expected=expected))
+    named = names or [f"column_{number}" for number in range(1, width + 1)]
+    in_names = [unit for _, unit in bare_names(named)]
+    said = [unit or other for unit, other in zip(units or [""] * width, in_names, strict=True)]
+    return TableForm(dialect, tuple(named), tuple(said), tuple(kinds), rows[first].number, bool(names))
+
+
+def _is_index(cells: Sequence[str]) -> bool:
+    """Return whether the first column names or counts its rows, as R and pandas write it."""
+    counted = [int(cell) for cell in cells if cell.isascii() and cell.isdecimal()]
+    if len(counted) < len(cells):
+        return not any(map(is_like_a_number, cells))
+    return all(after == before + 1 for before, after in pairwise(counted))
+
+
+def _without_rows(filled: Sequence[Line], rows: Sequence[Line], dialect: Dialect, width: int, file: str) -> TableForm:
+    """Return the form of a header alone; raise ValueError for lines that are no rows of it."""
+    header, *below = rows or filled[-1:]
+    names = names_of(without_mark(header.text) if is_comment(header.text) else header.text, dialect.separator, width)
+    for line in below:
+        cells = cells_of(line.text, dialect.separator)
+        if any(is_number(cell, dialect.decimal) and not is_missing(cell) for cell in cells):
+            place = RowPlaces(file).line(line.number + 1)
+            raise ValueError(Text("signals-cells", place=place, count=len(cells), expected=len(names)))
+    if below:
+        raise ValueError(Text("signals-no-numbers", file=file))
+    units = [unit for _, unit in bare_names(names)]
+    kinds: list[Kind] = ["empty"] * len(names)
+    return TableForm(dialect, tuple(names), tuple(units), tuple(kinds), header.number + 1, True)
+
+
+def _dialect_of(sample: Sequence[Line], encoding: str) -> tuple[Dialect, int]:
+    """Return the dialect in which most cells of the lines are numbers, and the count of cells of a row."""
+    best, width, highest = Dialect(encoding=encoding), 1, (False, -1.0, 0)
+    for separator in SEPARATORS:
+        rows = list(_parsed(sample, separator))
+        comma_decimals = any("," in cell for row in rows for cell in row)
+        for decimal in (",", ".") if comma_decimals else (".",):
+            for count in {len(row) for row in rows}:
+                rank = (count > 1, _share_of_values(rows, count, decimal), count)
+                if rank > highest:
+                    best, width, highest = Dialect(separator, decimal, encoding), count, rank
+    return best, width
+
+
+def _parsed(lines: Sequence[Line], separator: str) -> Iterator[list[str]]:
+    for line in lines:
+        try:
+            yield cells_of(line.text, separator)
+        except csv.Error:
+            continue
+
+
+def _share_of_values(rows: Sequence[Sequence[str]], count: int, decimal: str) -> float:
+    """Return how well rows of `count` cells fit: the share of cells that are values, and the share of such rows."""
+    of_count = [row for row in rows if len(row) == count]
+    values = sum(is_number(cell, decimal) or is_missing(cell) or is_moment(cell) for row in of_count for cell in row)
+    return values / sum(map(len, rows)) * (len(of_count) / len(rows)) ** 2
+
+
+def _first_row(rows: Sequence[Line], dialect: Dialect, width: int) -> int | None:
+    """Return the index of the first line that is a row of the table.
+
+    A line in front of it that is a row but for some cells is one, too: who reads it says what is wrong with them.
+    """
+    last = [cells_of(line.text, dialect.separator) for line in rows[-SAMPLE:]]
+    of_width = [row for row in last if len(row) == width]
+    kinds = _kinds(of_width[-((len(of_width) + 1) // 2) :], width)
+
+    def is_row(line: Line) -> bool:
+        cells = cells_of(line.text, dialect.separator)
+        return len(cells) == width and _is_row(cells, kinds, dialect.decimal)
+
+    def is_faulty_row(line: Line) -> bool:
+        cells = cells_of(line.text, dialect.separator)
+        return (
+            len(cells) == width
+            and kinds[_first_of(kinds)] == "number"
+            and is_number(cells[_first_of(kinds)], dialect.decimal)
+        )
+
+    for index, line in enumerate(rows):
+        following = rows[index : index + FOLLOWING]
+        if is_row(line) and 2 * sum(map(is_row, following)) >= len(following):
+            while index > 1 and is_faulty_row(rows[index - 1]):
+                index -= 1  # noqa: PLW2901
+            return index
+    return None
+
+
+def _first_of(kinds: Sequence[Kind]) -> int:
+    """Return the first column of numbers, or else the first one."""
+    return next((column for column, kind in enumerate(kinds) if kind == "number"), 0)
+
+
+def _is_row(row: Sequence[str], kinds: Sequence[Kind], decimal: str) -> bool:
+    values = [cell for cell, kind in zip(row, kinds, strict=True) if kind in {"number", "moment"}]
+    filled = [cell for cell in values if not is_missing(cell)]
+    return bool(filled) and all(
+        is_number(cell, decimal) or is_like_a_number(cell) or is_moment(cell) for cell in filled
+    )
+
+
+def _kinds(rows: Sequence[Sequence[str]], width: int) -> list[Kind]:
+    """Return what the columns hold in rows of `width` cells; text where less than half are values."""
+    return [_kind([row[column] for row in rows if not is_missing(row[column])]) for column in range(width)]
+
+
+def _kind(cells: Sequence[str]) -> Kind:
+    if not cells:
+        return "empty"
+    if 2 * sum(map(is_like_a_number, cells)) >= len(cells):
+        return "number"
+    return "moment" if 2 * sum(map(is_moment, cells)) >= len(cells) else "text"
+
+
+def _header(above: Sequence[Line], separator: str, width: int) -> tuple[list[str], list[str]]:
+    """Return the names and the units that stand above the rows; both are empty where no line fits."""
+    lines = list(islice(reversed(above), MOST_ABOVE))
+    nearest = [_header_cells(line, separator, width) for line in lines]
+    has_units = len(nearest) > 1 and bool(nearest[1]) and (is_units(nearest[0]) or _stand_below(*nearest[:2]))
+    units, at = (nearest[0], 1) if has_units else ([], 0)
+    if len(nearest) <= at or not nearest[at]:
+        return [], []
+    names = nearest[at]
+    if len(lines) > at + 1 and not is_comment(lines[at + 1].text) and separator != BLANKS:
+        names = _with_groups(names_of(lines[at + 1].text, separator, width)[:width], names)
+    units = (units + [""] * len(names))[: len(names)]
+    return names, [unit.strip("()[] ") for unit in units]
+
+
+def _stand_below(cells: Sequence[str], names: Sequence[str]) -> bool:
+    """Return whether cells are units that nobody knows: they stand below different names, one of them the time."""
+    are_names = len(set(names)) == len(names) and all(names[1:]) and bool(time_names(names))
+    return are_names and not time_names(cells)
+
+
+def _header_cells(line: Line, separator: str, width: int) -> list[str]:
+    """Return the cells of a line that can be a header of rows of `width` cells, else none."""
+    text = without_mark(line.text) if is_comment(line.text) else line.text
+    cells = names_of(text, separator, width)
+    if len(cells) == width + 1 and not cells[-1]:
+        cells.pop()
+    if len(cells) not in {width, width - 1} or not any(cells):
+        return []
+    filled = [cell for cell in cells if cell]
+    return [] if all(map(is_like_a_number, filled)) else ["" if NO_NAME.fullmatch(cell) else cell for cell in cells]
+
+
+def _with_groups(groups: Sequence[str], names: Sequence[str]) -> list[str]:
+    """Return names with those in the line above them: a marker over its X, Y and Z, the time over nothing.
+
+    The line above counts only where names stand twice, or are missing, and when it is no title of few cells.
+    """
+    filled = [name for name in names if name]
+    if 2 * len(groups) < len(names):
+        return list(names)
+    groups = [*groups, *[""] * (len(names) - len(groups))]
+    has_twins = len(set(filled)) < len(filled)
+    has_gaps = any(over and not name for over, name in zip(groups, names, strict=True))
+    if not has_twins and not (has_gaps and sum(map(bool, groups)) > 1):
+        return list(names)
+    named, group = [], ""
+    for over, name in zip(groups, names, strict=True):
+        group = over or group
+        stands_under = name and group and (names.count(name) > 1 or has_gaps)
+        named.append(f"{group} {name}" if stands_under else name or over)
+    return named
+
+
+def _count_of_names(line: Line, dialect: Dialect) -> int:
+    """Return how many columns a line above the rows names; 0 for a line that names none."""
+    cells = _trimmed(cells_of(line.text, dialect.separator))
+    return 0 if is_comment(line.text) or any(map(is_like_a_number, cells)) else len(cells)
+
+
+def _trimmed(cells: list[str]) -> list[str]:
+    """Return the cells without empty ones at the end."""
+    count = next((count for count in range(len(cells), 0, -1) if cells[count - 1]), 0)
+    return cells[:count]

@@ -1,0 +1,128 @@
+"""`python -m sensors`: each driver at its full rate against its far end, and the page of it; `make sensors`."""
+
+import argparse
+import os
+import sys
+import tempfile
+from pathlib import Path
+
+import numpy as np
+from sensors.measure import Measured, measure
+from sensors.subjects import SUBJECTS
+from sources_tried.figures import section_of
+
+from app.lsl_library import LSL_MISSING, load_lsl
+from bench.tables import here
+
+HEAD = """# Drivers, measured
+Made by `make sensors`; do not edit. Each driver ran for {seconds:g} s at its full rate against a far end in another
+process, which sends the time at which it measures. What people buy, connect and press is in [Hardware](hardware.md).
+{day}, commit {commit}, {machine}.
+"""
+FOOT = """
+- **Age**: from the far end's measurement to the frame in the control loop, by one clock. Trackers, phones and camera
+  are on a grid of their rate, which adds up to a period; a page's samples also wait for the turn of the loop, at most
+  20 ms. Network, browser and web process are not in it. Of the reference: from the grid of its rate.
+- **Lost**: frames that the driver misses; of trackers, phones and camera, instants of the grid without a sample.
+- **Processor**: of the process that reads the driver, with the reading of the time in each frame.
+- **Cuts**: nothing gets through, the cable is out, or the sender ends (LSL), until no frame has come for 0.5 s; then
+  the longest time to a frame. A pulled cable is tried again every 2 s, a lost LSL stream is looked for a second long.
+- **Junk**: random bytes where others could send them, and the frames that came of it. LSL's library reads its own
+  network.
+"""
+LSL_LOCAL = """[multicast]
+ResolveScope = machine
+[lab]
+KnownPeers = {{127.0.0.1}}
+SessionID = sensors-{process}
+[log]
+level = -2
+"""
+
+
+def main() -> int:
+    """Measure the drivers; return 0 when no frame was lost, every cut was found and no junk was a frame."""
+    names = [subject.title for subject in SUBJECTS]
+    parser = argparse.ArgumentParser(prog="python -m sensors", description=main.__doc__)
+    parser.add_argument("--seconds", type=float, default=600.0, help="how long each driver runs")
+    parser.add_argument("--cuts", type=int, default=30, help="how often each is cut off")
+    parser.add_argument("--junk", type=int, default=100_000, help="pieces of junk for each")
+    parser.add_argument("--only", nargs="+", choices=names, default=names, help="these drivers")
+    parser.add_argument("--out", type=Path, help="write the page of all drivers here")
+    given = parser.parse_args()
+    if given.seconds <= 0 or given.cuts < 0 or given.junk < 1:
+        parser.error("--seconds and --junk must be above 0, --cuts not below")
+    if given.out and given.only != names:
+        parser.error("--out writes all drivers: name none")
+    found: list[Measured] = []
+    left_out: list[str] = []
+    sys.stdout.write(table_head(given.cuts, given.junk))
+    with tempfile.TemporaryDirectory() as folder:
+        has_lsl = keep_lsl_local(Path(folder))
+        for subject in SUBJECTS:
+            if subject.title not in given.only:
+                continue
+            if subject.title == "LSL" and not has_lsl:
+                left_out.append(subject.title)
+                continue
+            with tempfile.TemporaryDirectory() as place:
+                found.append(measure(subject, given.seconds, given.cuts, given.junk, Path(place)))
+            sys.stdout.write(row(found[-1]))
+            sys.stdout.flush()
+    if given.out:
+        driven = section_of(given.out.read_text(encoding="utf-8")) if given.out.exists() else ""
+        written = page(found, left_out, given.seconds, given.cuts, given.junk)
+        given.out.write_text(written + driven, encoding="utf-8")
+    return 0 if all(map(is_kept, found)) else 1
+
+
+def keep_lsl_local(folder: Path) -> bool:
+    """Let LSL see this machine alone; return whether its library is here."""
+    file = folder / "lsl_api.cfg"
+    file.write_text(LSL_LOCAL.format(process=os.getpid()), encoding="utf-8")
+    os.environ["LSLAPICFG"] = str(file)  # for the far end, too
+    try:
+        load_lsl()
+    except LSL_MISSING:
+        return False
+    return True
+
+
+def page(found: list[Measured], left_out: list[str], seconds: float, cuts: int, junk: int) -> str:
+    """Return the page of what was measured."""
+    measured = here()
+    day = f"{measured.day.day} {measured.day:%B %Y}"
+    head = HEAD.format(seconds=seconds, day=day, commit=measured.commit, machine=measured.machine)
+    missing = f"\nNot measured, without its library: {', '.join(left_out)}.\n" if left_out else ""
+    return "".join((head, "\n", table_head(cuts, junk), *map(row, found), missing, FOOT))
+
+
+def table_head(cuts: int, junk: int) -> str:
+    """Return the head of the table."""
+    cells = [
+        *("driver", "far end", "rate, Hz", "samples", "frames", "lost", "age p50, ms", "p99, ms"),
+        *("processor, ms a second", f"{cuts} cuts", f"{junk:,} pieces of junk", "a second sender"),
+    ]
+    return f"| {' | '.join(cells)} |\n|{'---|' * len(cells)}\n"
+
+
+def row(one: Measured) -> str:
+    """Return the line of a driver in the table."""
+    p50, p99 = (1e3 * float(np.percentile(one.ages, share)) for share in (50, 99))
+    cells = [
+        *(one.title, one.what, f"{one.rate:g}", f"{one.sent:,}" if one.sent else "–", f"{one.frames:,}"),
+        f"**{one.lost:,}**" if one.lost else "0",
+        *(f"{p50:.1f}", f"{p99:.1f}", f"{1e3 * one.processor:.1f}"),
+        f"{one.found} found, back after {one.back:.2f} s at most" if one.cuts else "–",
+        *("–" if one.junk is None else f"{one.junk:,} frames", one.second or "–"),
+    ]
+    return f"| {' | '.join(cells)} |\n"
+
+
+def is_kept(one: Measured) -> bool:
+    """Return whether a driver lost nothing, found every cut, and took no junk for a frame."""
+    return one.lost == 0 and one.found == (one.cuts or 0) and not one.junk
+
+
+if __name__ == "__main__":
+    sys.exit(main())

@@ -1,0 +1,43 @@
+### Texts of the page of a phone that is a sensor, and of the clinician's card that looks after the phones.
+
+phone-title = bodydrive · Telefon als Sensor
+phone-number = Telefon { $number }
+phone-unpaired = Nicht gekoppelt
+phone-unpaired-lead = Wählen Sie auf der Seite der Fachkraft „Shirt“, „Telefone als Sensoren“ und „Telefon koppeln“. Scannen Sie den Code dort mit der Kamera dieses Telefons, oder tippen Sie ihn hier ein.
+phone-code = Code
+phone-code-go = Koppeln
+phone-ready = Bereit
+phone-ready-lead = Binden Sie dieses Telefon an ein Körperteil, und tippen Sie dann. Es sendet, wie es gehalten wird, sonst nichts.
+phone-start = Beginnen
+phone-sends = Sendet
+phone-sends-lead = Lassen Sie diese Seite sichtbar. Halten Sie eine Sekunde still, die Arme hängend, damit sie die Haltung in Ruhe kennt.
+phone-no-part = Noch an keinem Körperteil
+phone-unwanted = Nicht gebraucht
+phone-unwanted-lead = Das verwendete Shirt besteht nicht aus Telefonen. Dieses sendet, sobald das auf der Seite „Shirt“ gewählt ist.
+phone-lost = Verloren
+phone-lost-lead = Der Rechner der Klinik antwortet nicht. Prüfen Sie das Funknetz dieses Telefons.
+phone-still = Kein Sensor
+phone-still-lead = Dieses Gerät sagt nicht, wie es gehalten wird. Laden Sie die Seite neu, oder nehmen Sie ein anderes Telefon.
+phone-elsewhere = Anderswo offen
+phone-elsewhere-lead = Diese Seite wurde auf diesem Telefon noch einmal geöffnet. Schließen Sie die andere, und tippen Sie dann.
+phone-insecure = Ein Browser gibt seine Sensoren nur an verschlüsselte Seiten. Öffnen Sie diese Seite über https.
+phone-none = Dieses Gerät hat keinen solchen Sensor. Nehmen Sie ein anderes Telefon.
+phone-denied = Der Browser erlaubt es nicht. Erlauben Sie für diese Seite Bewegung und Ausrichtung, und tippen Sie noch einmal.
+
+phones-title = Telefone
+phones-none = Noch ist kein Telefon gekoppelt.
+phones-name = Telefon { $number }
+phones-part = an: { $part }
+phones-no-part = noch an keinem Körperteil: unter „Ändern“ wählen
+phones-connected = verbunden
+phones-away = nicht verbunden
+phones-unpair = Entkoppeln
+phones-unpair-label = Entkoppeln: Telefon { $number }
+phones-unpaired = Telefon { $number } wurde entkoppelt.
+phones-paired = Ein Telefon wurde gekoppelt.
+phones-pair = Telefon koppeln
+phones-scan = Scannen Sie das mit der Kamera des Telefons, oder öffnen Sie dort den Link. Er gilt einmal und zehn Minuten lang.
+phones-qr = QR-Code des Links für ein Telefon
+phones-type = Oder öffnen Sie { $address } auf dem Telefon, und tippen Sie diesen Code ein:
+phones-again = Neuer Code
+phones-close = Schließen

@@ -1,0 +1,43 @@
+### Texts of the page of a phone that is a sensor, and of the clinician's card that looks after the phones.
+
+phone-title = bodydrive · phone as a sensor
+phone-number = Phone { $number }
+phone-unpaired = Not paired
+phone-unpaired-lead = On the clinician's page, choose Shirt, “Phones as sensors” and “Pair a phone”. Scan the code there with the camera of this phone, or type it here.
+phone-code = Code
+phone-code-go = Pair
+phone-ready = Ready
+phone-ready-lead = Tie this phone to a part of the body, then tap. It sends how it is held, and nothing else.
+phone-start = Start
+phone-sends = Sends
+phone-sends-lead = Keep this page in view. Stay still for a second, arms down, so that it knows the posture at rest.
+phone-no-part = On no part of the body yet
+phone-unwanted = Not needed
+phone-unwanted-lead = The shirt in use is not made of phones. It sends as soon as that is chosen on the Shirt page.
+phone-lost = Lost
+phone-lost-lead = The clinic's machine does not answer. Check the wireless network of this phone.
+phone-still = No sensor
+phone-still-lead = This device does not say how it is held. Reload the page, or use another phone.
+phone-elsewhere = Open elsewhere
+phone-elsewhere-lead = This page was opened once more on this phone. Close the other one, then tap.
+phone-insecure = A browser gives its sensors to encrypted pages only: open this page by https.
+phone-none = This device has no such sensor: use another phone.
+phone-denied = The browser does not permit it: allow motion and orientation for this page, and tap again.
+
+phones-title = Phones
+phones-none = No phone is paired yet.
+phones-name = Phone { $number }
+phones-part = on: { $part }
+phones-no-part = on no part yet: choose it under “Change”
+phones-connected = connected
+phones-away = not connected
+phones-unpair = Unpair
+phones-unpair-label = Unpair phone { $number }
+phones-unpaired = Phone { $number } was unpaired.
+phones-paired = A phone was paired.
+phones-pair = Pair a phone
+phones-scan = Scan this with the camera of the phone, or open the link there. It works once, for ten minutes.
+phones-qr = QR code of the link for a phone
+phones-type = Or open { $address } on the phone and type this code:
+phones-again = New code
+phones-close = Close

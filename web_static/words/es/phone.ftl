@@ -1,0 +1,43 @@
+### Texts of the page of a phone that is a sensor, and of the clinician's card that looks after the phones.
+
+phone-title = bodydrive · teléfono como sensor
+phone-number = Teléfono { $number }
+phone-unpaired = Sin vincular
+phone-unpaired-lead = En la página del profesional, elija Camiseta, “Teléfonos como sensores” y “Vincular un teléfono”. Escanee el código de allí con la cámara de este teléfono o escríbalo aquí.
+phone-code = Código
+phone-code-go = Vincular
+phone-ready = Listo
+phone-ready-lead = Sujete este teléfono a una parte del cuerpo y después toque. Envía cómo está orientado y nada más.
+phone-start = Empezar
+phone-sends = Envía
+phone-sends-lead = Deje esta página a la vista. Quédese quieto un segundo, con los brazos caídos, para que conozca la postura en reposo.
+phone-no-part = Aún en ninguna parte del cuerpo
+phone-unwanted = No hace falta
+phone-unwanted-lead = La camiseta en uso no se compone de teléfonos. Este enviará en cuanto se elija eso en la página Camiseta.
+phone-lost = Sin conexión
+phone-lost-lead = El equipo de la clínica no responde. Compruebe la red inalámbrica de este teléfono.
+phone-still = Sin sensor
+phone-still-lead = Este dispositivo no dice cómo está orientado. Cargue la página otra vez o use otro teléfono.
+phone-elsewhere = Abierta en otro sitio
+phone-elsewhere-lead = Esta página se abrió otra vez en este teléfono. Cierre la otra y después toque.
+phone-insecure = Un navegador da sus sensores solo a páginas cifradas: abra esta página por https.
+phone-none = Este dispositivo no tiene ese sensor: use otro teléfono.
+phone-denied = El navegador no lo permite: permita el movimiento y la orientación para esta página y toque otra vez.
+
+phones-title = Teléfonos
+phones-none = Aún no hay ningún teléfono vinculado.
+phones-name = Teléfono { $number }
+phones-part = en: { $part }
+phones-no-part = aún en ninguna parte: elíjala en “Cambiar”
+phones-connected = conectado
+phones-away = no conectado
+phones-unpair = Desvincular
+phones-unpair-label = Desvincular el teléfono { $number }
+phones-unpaired = Se desvinculó el teléfono { $number }.
+phones-paired = Se vinculó un teléfono.
+phones-pair = Vincular un teléfono
+phones-scan = Escanee esto con la cámara del teléfono o abra el enlace allí. Vale una sola vez, durante diez minutos.
+phones-qr = Código QR del enlace para un teléfono
+phones-type = O abra { $address } en el teléfono y escriba este código:
+phones-again = Código nuevo
+phones-close = Cerrar
