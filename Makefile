@@ -16,7 +16,7 @@ OWN := $(INSTALL) --no-index --no-deps --no-build-isolation
 unexport PYTHONDONTWRITEBYTECODE
 
 .PHONY: demo test browser check format lint python-types javascript-types api-types
-.PHONY: safety compiled drills worlds sensors sources-tried soak long-recording people-soak large-clinic photographs
+.PHONY: safety compiled drills physics worlds sensors sources-tried soak long-recording people-soak large-clinic photographs
 .PHONY: words bench bench-compare verdicts page shipped pins clean
 
 $(VENV)/.installed: pyproject.toml hatch_build.py front_end_packages.py package-lock.json requirements/run.txt requirements/build.txt
@@ -104,6 +104,10 @@ drills: $(VENV)/.installed-test
 	$(BIN)/python -m pytest $(ONE_BY_ONE) $(call AT_MOST,2) -m long $(addprefix --ignore=,$(BROWSERS))
 	PYTHONPATH=tests $(BIN)/python -m drills --jobs 2 --out docs/drills.md
 
+# A wheelchair in MuJoCo behind the receiver: 200 drives on each floor and the page; DRIVES=20 only prints.
+physics: $(VENV)/.installed-test
+	PYTHONPATH=tests $(BIN)/python -m physics --jobs 2 $(if $(DRIVES),--drives $(DRIVES),--out docs/physics.md)
+
 soak: $(VENV)/.installed-test
 	PYTHONPATH=tests $(BIN)/python -m soak --out docs/viewers.md
 
@@ -153,6 +157,7 @@ bench-compare: $(VENV)/.installed-test
 WITH_TESTS := PYTHONPATH=.:tests
 PAGE_drills = $(MAKE) --no-print-directory drills
 PAGE_mutation = $(MAKE) --no-print-directory safety
+PAGE_physics = $(MAKE) --no-print-directory physics
 PAGE_pictures = $(WITH_TESTS) $(BIN)/python -m pictures
 # Maps from other people, on real people (../shared/data/knit_people) and simulated ones kept apart; about ten minutes.
 PAGE_prior-measured = $(WITH_TESTS) $(BIN)/python -m bench.prior --people $(or $(PEOPLE),20)
