@@ -1,4 +1,4 @@
-"""`bodydrive chair`: pair with a real chair, and run the receiver on the chair."""
+"""`bodydrive chair`: pair with a real chair, measure it, and run the receiver on the chair."""
 
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated
@@ -10,6 +10,7 @@ from app.cli.errors import InputError
 from app.cli.help_text import help_text
 from app.cli.qr import terminal_code
 from app.file_modes import keep_new_files_private
+from app.hardware.chair import chair_measure
 from app.hardware.chair import receive as receiver
 from app.ports import RECEIVER_PORT
 from app.refusals import Refusal
@@ -34,6 +35,17 @@ Limit = Annotated[float | None, typer.Option(help=help_text("cli-help-chair-pair
 def receive(context: typer.Context) -> None:
     """Run on the chair: check commands, watch the time, ramp, and drive an output."""
     raise typer.Exit(receiver.main(context.args, "bodydrive chair receive"))
+
+
+@chair_app.command(
+    "measure",
+    help=help_text("cli-help-chair-measure"),
+    add_help_option=False,  # the program has its own --help
+    context_settings={"allow_extra_args": True, "ignore_unknown_options": True},
+)
+def measure(context: typer.Context) -> None:
+    """Run on the chair: measure by guided drives which speed a deflection of the joystick gives."""
+    raise typer.Exit(chair_measure.main(context.args, "bodydrive chair measure"))
 
 
 @chair_app.command("pair", help=help_text("cli-help-chair-pair", "cli-help-chair-pair-units"))

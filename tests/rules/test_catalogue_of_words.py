@@ -20,6 +20,8 @@ HELPS = {"help", "short_help", "epilog"}  # keywords of typer
 ELSEWHERE = {
     "app/hardware/chair/receive.py": "runs alone on the board of a chair",
     "app/hardware/chair/chair_document.py": "runs alone on the board of a chair",
+    "app/hardware/chair/chair_measure.py": "runs alone on the board of a chair",
+    "app/hardware/chair/joystick_drive.py": "runs alone on the board of a chair",
     "app/hardware/chair/outputs.py": "runs alone on the board of a chair",
     "app/hardware/chair/reasons.py": "runs alone on the board of a chair; the catalogue has the same",
     "app/hardware/chair/ros2.py": "runs alone on the board of a chair",

@@ -24,6 +24,7 @@ EXCEPTIONS: dict[str, tuple[str, ...]] = {
         "app.features.reports.measure_reports",
         "app.hardware.body.driver",
         "app.hardware.body.steering",
+        "app.hardware.chair.joystick_drive",
         "app.hardware.chair.telemetry",
         "app.hardware.chair.telemetry_sender",
         "app.hardware.shirt.brainflow_library",

@@ -110,10 +110,13 @@ class AnalogBoard:
 
     def drive(self, t: float, state: str, twist: Twist, reason: str) -> None:  # noqa: ARG002
         """Command the deflection of `twist`, or the centre with the relay open while the chair is disarmed."""
+        self.deflect(t, state == "armed" or twist != STANDSTILL, *self._table.deflection(twist))
+
+    def deflect(self, t: float, is_driven: bool, ahead: float, right: float) -> None:
+        """Command a deflection in percent; the relay is open unless `is_driven`."""
         if t < self._due or self._status is None:
             return
-        is_driven = state == "armed" or twist != STANDSTILL
-        if self._port.write(self._command(self._status, is_driven, twist), t):
+        if self._port.write(self._command(self._status, is_driven, ahead, right), t):
             self._unanswered.append((self._number, t))
             self._due = t + EVERY
 
@@ -134,14 +137,14 @@ class AnalogBoard:
         """Put the chair's inputs at their centre, and close the line."""
         try:
             if self._status is not None and self._number:
-                self._port.write(self._command(self._status, False, STANDSTILL), self._due)
+                self._port.write(self._command(self._status, False, 0.0, 0.0), self._due)
         finally:
             self._port.close()
 
-    def _command(self, status: BoardStatus, is_driven: bool, twist: Twist) -> bytes:
-        """Return the next command, which answers `status`."""
+    def _command(self, status: BoardStatus, is_driven: bool, *percents: float) -> bytes:
+        """Return the next command, which answers `status`; `percents` are forwards and to the right."""
         self._number += 1
-        forwards, right = (round(PER_MILLE * percent / FULL) for percent in self._table.deflection(twist))
+        forwards, right = (round(PER_MILLE * percent / FULL) for percent in percents)
         return command_bytes(self._key, is_driven, forwards, right, self._number, status)
 
 

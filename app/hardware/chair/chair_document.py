@@ -1,11 +1,13 @@
 """From speeds to the percents of a chair's joystick, by the tables in the chair's document. Standard library only.
 
-A chair document is JSON: `{"dead_band": 8, "forward": [[20, 0.2], [60, 0.7], [100, 1.4]], "back": ..., "turn": ...}`.
+A chair document is JSON: `{"version": 1, "dead_band": 8, "forward": [[20, 0.2], [60, 0.7]], "back": ..., "turn": ...}`.
 A row is a deflection in percent and the speed that it gives, m/s or rad/s, each larger than the row before;
-`dead_band` is the largest deflection in percent at which the chair still stands. Other fields are for other programs.
+`dead_band` is the largest deflection in percent at which the chair still stands. Optional: `name` of the chair, and
+`lag`, s from a command to the movement. `bodydrive chair measure` writes one.
 """
 
 import bisect
+import hashlib
 import json
 import math
 import os
@@ -22,6 +24,11 @@ MOST_BYTES = 64 * 1024  # of a document
 MOST_ROWS = 100  # of a table
 LARGEST_NUMBER = 1e6  # of those that are compared with a bound
 LARGEST_DEAD_BAND = 50.0  # percent
+VERSION = 1
+FIELDS = ("version", "name", "dead_band", "forward", "back", "turn", "lag")
+MOST_LETTERS = 80  # of a name
+LARGEST_LAG = 5.0  # s
+SHOWN_DIGITS = 12  # of a document's SHA-256, in hexadecimal
 LARGEST_SPEED = {"forward": 6.0, "back": 6.0, "turn": 6.0}  # m/s, m/s, rad/s: a larger one is a mistake
 
 # Without a document the chair is taken for one that full deflection drives at 15 km/h, the fastest that EN 12184 has,
@@ -86,12 +93,13 @@ def joystick_table(file: Path | None) -> JoystickTable:
     OutputRefused
         In one sentence, when the file cannot be read or is none.
     """
-    return UNMEASURED if file is None else _parsed(_content(file), file)
+    return UNMEASURED if file is None else table_of(_content(file), file)
 
 
 def _content(file: Path) -> str:
     try:
-        with open(os.open(file, os.O_RDONLY | os.O_NONBLOCK), encoding="utf-8") as opened:  # does not wait for a pipe
+        handle = os.open(file, os.O_RDONLY | os.O_NONBLOCK)  # does not wait for a pipe
+        with open(handle, encoding="utf-8", newline="") as opened:
             text = opened.read(MOST_BYTES + 1)
     except OSError as error:
         raise OutputRefused(f"the chair document {file} cannot be read ({error.strerror}): correct its name") from error
@@ -102,7 +110,9 @@ def _content(file: Path) -> str:
     return text
 
 
-def _parsed(text: str, file: Path) -> JoystickTable:
+def table_of(text: str, file: Path) -> JoystickTable:
+    """Return the tables in the text of a chair document; raise OutputRefused, which names `file`, when it is none."""
+
     def refuse(problem: str) -> NoReturn:
         raise OutputRefused(f"the chair document {file} cannot be used: {problem}")
 
@@ -112,24 +122,36 @@ def _parsed(text: str, file: Path) -> JoystickTable:
         raise OutputRefused(f"the chair document {file} is no JSON ({error}): give the file that was made") from error
     if not isinstance(document, dict):
         refuse("it must be an object with the tables forward, back and turn")
+    foreign = sorted(document.keys() - set(FIELDS))
+    if foreign:
+        refuse(f"it has no field {foreign[0][:MOST_LETTERS]!r}, only {', '.join(FIELDS)}")
+    version, name, lag = document.get("version"), document.get("name", ""), document.get("lag", 0.0)
+    if version != VERSION or not _is_number(version):
+        refuse(f"version must be {VERSION}")
+    if not isinstance(name, str) or len(name) > MOST_LETTERS:
+        refuse(f"name must be a text of at most {MOST_LETTERS} letters")
+    if not _is_number(lag) or not 0.0 <= lag <= LARGEST_LAG:
+        refuse(f"lag must be a number of seconds from 0 to {LARGEST_LAG:g}")
     dead_band = document.get("dead_band")
     if not _is_number(dead_band) or not 0.0 <= dead_band <= LARGEST_DEAD_BAND:
         refuse(f"dead_band must be a number from 0 to {LARGEST_DEAD_BAND:g}")
     axes = []
-    for name, largest in LARGEST_SPEED.items():
-        rows = document.get(name)
+    for axis, largest in LARGEST_SPEED.items():
+        rows = document.get(axis)
         if not _is_table(rows):
-            refuse(f"{name} must be 1 to {MOST_ROWS} rows of two numbers, such as [[50, 0.4], [100, 0.9]]")
+            refuse(f"{axis} must be 1 to {MOST_ROWS} rows of two numbers, such as [[50, 0.4], [100, 0.9]]")
         percents = (float(dead_band), *(float(percent) for percent, _ in rows))
         speeds = (0.0, *(float(speed) for _, speed in rows))
         if not (_ascends(percents) and _ascends(speeds)):
-            refuse(f"in {name} each row must be larger than the one before, the first than the dead band and speed 0")
+            refuse(f"in {axis} each row must be larger than the one before, the first than the dead band and speed 0")
         if percents[-1] > FULL or speeds[-1] > largest:
-            refuse(f"in {name} a deflection is above {FULL:g} percent, or a speed above {largest:g}")
+            refuse(f"in {axis} a deflection is above {FULL:g} percent, or a speed above {largest:g}")
         axes.append(AxisTable(speeds, percents))
     forward, back, turn = axes
     most = Twist(min(forward.speeds[-1], FASTEST_TWIST.v), min(turn.speeds[-1], FASTEST_TWIST.omega))
-    return JoystickTable(forward, back, turn, most, f"Speeds are by the chair document {file}.")
+    digits = hashlib.sha256(text.encode()).hexdigest()[:SHOWN_DIGITS]
+    note = f"Speeds are by the chair document {file}, whose SHA-256 begins with {digits}."
+    return JoystickTable(forward, back, turn, most, note)
 
 
 def _is_number(value: object) -> TypeGuard[float]:

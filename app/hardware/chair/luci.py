@@ -20,7 +20,7 @@ from cyclonedds.idl.types import int32
 from cyclonedds.sub import DataReader
 from cyclonedds.topic import Topic
 
-from app.geometry import STANDSTILL, Twist
+from app.geometry import Twist
 from app.hardware.chair.chair_document import joystick_table
 from app.hardware.chair.dds import PublishedTopic, wire_name
 from app.hardware.chair.readings import ChairReadings
@@ -76,8 +76,11 @@ class LuciRemote:
 
     def drive(self, t: float, state: str, twist: Twist, reason: str) -> None:  # noqa: ARG002
         """Publish the joystick of `twist` when it has changed or is due again; OSError when DDS does not accept it."""
-        joystick = joystick_of(*self._table.deflection(twist))
-        self._topic.publish(twist, joystick, t)
+        self.deflect(t, state == "armed", *self._table.deflection(twist))
+
+    def deflect(self, t: float, is_driven: bool, ahead: float, right: float) -> None:  # noqa: ARG002
+        """Publish a deflection in percent when it has changed or is due again."""
+        self._topic.publish((ahead, right), joystick_of(ahead, right), t)
 
     def description(self) -> str:
         """Return what was found of LUCI, and what is to be set there."""
@@ -90,7 +93,7 @@ class LuciRemote:
 
     def close(self) -> None:
         """Publish the centre, and leave the domain."""
-        self._topic.close(joystick_of(*self._table.deflection(STANDSTILL)))
+        self._topic.close(joystick_of(0.0, 0.0))
 
 
 def joystick_of(ahead: float, right: float) -> Any:

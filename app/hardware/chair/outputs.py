@@ -49,6 +49,17 @@ class Output(Protocol):
         ...
 
 
+class JoystickOutput(Output, Protocol):
+    """An output that sets the deflection of a joystick, and takes the chair document that says what speed that is."""
+
+    def deflect(self, t: float, is_driven: bool, ahead: float, right: float) -> None:
+        """Set a deflection in percent, forwards and to the right, at `t` (s); not `is_driven`: the chair is let go.
+
+        OSError: as of `drive`.
+        """
+        ...
+
+
 class Sink:
     """Lines to a reader that may be slow: a line that would have to wait is not written."""
 
@@ -170,6 +181,8 @@ OUTPUTS: Mapping[str, OutputRow] = {
         "app.hardware.chair.analog", "AnalogBoard", needs=("device", "key_file"), takes=("chair_document",)
     ),
 }
+# Those of a class with the methods of JoystickOutput.
+JOYSTICK_OUTPUTS = tuple(word for word, row in OUTPUTS.items() if "chair_document" in row.takes)
 # Each of some outputs only.
 OWN_OPTIONS = ("device", "tread", "backward_motor", "topic", "message", "frame", "chair_document")
 

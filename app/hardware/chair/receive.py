@@ -128,7 +128,7 @@ class ReceiverLoop:
         try:
             readings, trouble = self._output.poll(t), self._refusal
         except OSError as error:
-            readings, trouble = NO_READINGS, _why(error)
+            readings, trouble = NO_READINGS, why_of(error)
         output_obstacle = Reason.OUTPUT if trouble else readings.obstacle
         twist = self._receiver.step(t, Reason.STOP_INPUT if pressed else output_obstacle)
         state, reason = self._receiver.state, self._receiver.reason
@@ -136,7 +136,7 @@ class ReceiverLoop:
             self._output.drive(t, state.name.lower(), twist, "" if reason is Reason.NONE else DESCRIPTIONS[reason])
             self._refusal = ""
         except OSError as error:
-            self._refusal = _why(error)
+            self._refusal = why_of(error)
             if not self._output.is_real:
                 self.ending = True  # the reader has gone
         self._telemetry.send(t, self._inputs, pressed, readings, now=last)
@@ -162,7 +162,7 @@ def check(output: Output, clock: Clock) -> int:
             obstacle = output.poll(t).obstacle
             trouble = DESCRIPTIONS[obstacle] if obstacle else ""
         except OSError as error:
-            trouble = f"It cannot be driven: {_why(error)}."
+            trouble = f"It cannot be driven: {why_of(error)}."
         clock.sleep_until(t + STEP)
     sys.stdout.write(f"{output.description()}\n{trouble or 'It can be driven.'}\nNothing was moved.\n")
     with suppress(OSError):
@@ -170,7 +170,8 @@ def check(output: Output, clock: Clock) -> int:
     return 1 if trouble else 0
 
 
-def _why(error: OSError) -> str:
+def why_of(error: OSError) -> str:
+    """Return the reason of an error in words."""
     return error.strerror or str(error) or type(error).__name__
 
 
@@ -193,10 +194,12 @@ class CannotStart(Exception):  # noqa: N818
     """Why the receiver does not start, in one sentence."""
 
 
-class _Parser(argparse.ArgumentParser):
+class ProgramParser(argparse.ArgumentParser):
+    """A parser that refuses in one sentence, with exit code 2."""
+
     def error(self, message: str) -> NoReturn:
         """Refuse in one sentence, without the usage above it."""
-        _complain(f"{self.prog}: {message}: see {self.prog} --help")
+        complain(f"{self.prog}: {message}: see {self.prog} --help")
         sys.exit(2)
 
 
@@ -212,7 +215,7 @@ def main(arguments: Sequence[str] | None = None, program: str = "python -m app.h
         paired = _address(given.paired, end.family) if given.paired else None
         output = open_output(given.output, vars(given))
     except (KeyRefused, OutputRefused, CannotStart) as error:
-        _complain(f"{program}: {error}")
+        complain(f"{program}: {error}")
         return 2
     v_max, omega_max = min(given.v_max, output.most.v), min(given.omega_max, output.most.omega)
     receiver = Receiver(key, v_max, omega_max, refuses_virtual=output.is_real)
@@ -229,7 +232,7 @@ def main(arguments: Sequence[str] | None = None, program: str = "python -m app.h
         *(REAL_TIME[message] for message in go_real_time()),
         *slowness(clock),
     ):
-        _complain(str(sentence))
+        complain(str(sentence))
     try:
         loop.run()
     finally:
@@ -239,7 +242,8 @@ def main(arguments: Sequence[str] | None = None, program: str = "python -m app.h
     return 0
 
 
-def _complain(sentence: str) -> None:
+def complain(sentence: str) -> None:
+    """Write a line to the standard error."""
     with suppress(OSError):  # nobody reads stderr; the chair is driven all the same
         sys.stderr.write(f"{sentence}\n")
         sys.stderr.flush()
@@ -273,7 +277,7 @@ def _address(place: tuple[str, int], family: int) -> Address:
 
 
 def _parser(program: str) -> argparse.ArgumentParser:
-    parser = _Parser(prog=program, description=DESCRIPTION, allow_abbrev=False)
+    parser = ProgramParser(prog=program, description=DESCRIPTION, allow_abbrev=False)
     add = parser.add_argument
     add("--key-file", type=Path, required=True, metavar="FILE", help="what pairing made, readable by you only")
     add("--output", choices=list(OUTPUTS), required=True, help="what to drive")
@@ -286,14 +290,14 @@ def _parser(program: str) -> argparse.ArgumentParser:
     )
     add(
         "--v-max",
-        type=_up_to(HIGHEST_SPEED),
+        type=up_to(HIGHEST_SPEED),
         default=HIGHEST_SPEED,
         metavar="M_PER_S",
         help=f"at most {HIGHEST_SPEED:g}, the default",
     )
     add(
         "--omega-max",
-        type=_up_to(HIGHEST_TURN_RATE),
+        type=up_to(HIGHEST_TURN_RATE),
         default=HIGHEST_TURN_RATE,
         metavar="RAD_PER_S",
         help=f"at most {HIGHEST_TURN_RATE:g}",
@@ -333,7 +337,9 @@ def _tread(text: str) -> float:
     raise argparse.ArgumentTypeError(f"'{text}' is no tread, give a number of metres from {NARROWEST} to {WIDEST}")
 
 
-def _up_to(limit: float) -> Callable[[str], float]:
+def up_to(limit: float) -> Callable[[str], float]:
+    """Return a function that reads a number above 0 and at most `limit`, for an option of a parser."""
+
     def number(text: str) -> float:
         with suppress(ValueError):
             if 0.0 < (given := float(text)) <= limit and math.isfinite(given):

@@ -20,7 +20,7 @@ from app.hardware.chair.receiver import ReceiverState
 
 SECRET = bytes(range(32))
 KEY = Key(7, SECRET)
-TABLE = {"dead_band": 10, "forward": [[100, 1.0]], "back": [[100, 0.5]], "turn": [[100, 2.0]]}
+TABLE = {"version": 1, "dead_band": 10, "forward": [[100, 1.0]], "back": [[100, 0.5]], "turn": [[100, 2.0]]}
 
 u8, u32 = st.integers(0, 255), st.integers(0, 2**32 - 1)
 

@@ -1,5 +1,6 @@
 """A chair's document: from speeds to the percents of its joystick, and what is no document."""
 
+import hashlib
 import json
 import os
 
@@ -12,6 +13,7 @@ from app.hardware.chair.chair_document import ASSUMED_SPEED, UNMEASURED, UNMEASU
 from app.hardware.chair.outputs import OutputRefused
 
 GOOD = {
+    "version": 1,
     "name": "Blue",
     "dead_band": 8,
     "forward": [[20, 0.2], [60, 0.7], [100, 1.8]],
@@ -44,6 +46,12 @@ def test_deflections_are_read_off_the_tables(table):
     assert chair.deflection(Twist(-9.0, 0.0))[0] == -50.0, "nothing is driven that was not measured"
 
 
+def test_who_sets_it_up_is_told_which_document_it_is(table, tmp_path):
+    note = table(GOOD).note
+    digits = hashlib.sha256((tmp_path / "chair.json").read_bytes()).hexdigest()
+    assert f"begins with {digits[:12]}." in note
+
+
 def test_nothing_faster_is_commanded_than_was_measured_or_than_any_receiver_drives(table):
     assert table(GOOD).most == Twist(1.5, 2.0)
     assert table({**GOOD, "forward": [[30, 0.4]]}).most == Twist(0.4, 2.0)
@@ -68,7 +76,7 @@ def test_more_speed_never_takes_less_deflection(tmp_path_factory, steps, rises, 
     of_speed = [6.0 * sum(rises[: n + 1]) / sum(rises[:rows]) for n in range(rows)]
     axis = [[min(100.0, percent), min(6.0, speed)] for percent, speed in zip(percents, of_speed, strict=True)]
     file = tmp_path_factory.mktemp("chair") / "chair.json"
-    file.write_text(json.dumps({"dead_band": dead_band, "forward": axis, "back": axis, "turn": axis}))
+    file.write_text(json.dumps({**GOOD, "dead_band": dead_band, "forward": axis, "back": axis, "turn": axis}))
     chair = joystick_table(file)
     deflections = [chair.deflection(Twist(speed, 0.0))[0] for speed in sorted(speeds)]
     assert deflections == sorted(deflections)
@@ -84,10 +92,14 @@ def test_more_speed_never_takes_less_deflection(tmp_path_factory, steps, rises, 
         ("", "no JSON"),
         ("[" * 50_000, "no JSON"),
         ("[]", "an object"),
-        ({}, "dead_band"),
+        ({}, "version must be 1"),
+        *(({**GOOD, "version": value}, "version must be 1") for value in (0, 2, True, "1", None)),
+        ({**GOOD, "colour": "blue"}, "no field 'colour'"),
+        *(({**GOOD, "name": value}, "name must be") for value in (7, None, "x" * 81)),
+        *(({**GOOD, "lag": value}, "lag must be") for value in (-0.1, 5.1, "1", None, True)),
         *(({**GOOD, "dead_band": value}, "dead_band") for value in (-1, 51, True, "8", None, [8])),
         ('{"dead_band": NaN}', "NaN is no number"),
-        ('{"dead_band": 1e999}', "dead_band"),
+        ('{"version": 1, "dead_band": 1e999}', "dead_band"),
         *(
             ({**GOOD, "turn": value}, "turn must be")
             for value in (None, [], 7, [[20]], [[20, "x"]], [[20, True]], [[1, 2]] * 101, [[10**400, 1]])

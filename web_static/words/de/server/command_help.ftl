@@ -137,6 +137,7 @@ cli-help-floorplan-check-file = Ein Grundriss oder eine Szene.
 
 cli-help-chair = Einen echten Rollstuhl koppeln; auf dem Rollstuhl empfangen, was er fahren soll.
 cli-help-chair-receive = Auf dem Rollstuhl: Fahrbefehle prüfen, die Zeit überwachen, Geschwindigkeiten allmählich ändern und einen Ausgang ansteuern.
+cli-help-chair-measure = Auf dem Rollstuhl: mit kurzen Fahrten messen, welche Geschwindigkeit ein Ausschlag seines Joysticks ergibt.
 cli-help-chair-pair = Einen Schlüssel für einen Rollstuhl erzeugen, bei der Klinik aufbewahren und einmal als QR-Code zeigen.
 # A further paragraph.
 cli-help-chair-pair-units = Geschwindigkeiten stehen in m/s und rad/s, Beschleunigungen in m/s2 und rad/s2, Rucke in m/s3 und rad/s3.

@@ -137,6 +137,7 @@ cli-help-floorplan-check-file = A floor plan or a scene.
 
 cli-help-chair = Pair with a real chair; receive on the chair what it is to drive.
 cli-help-chair-receive = Run on the chair: check commands, watch the time, ramp, and drive an output.
+cli-help-chair-measure = Run on the chair: measure by short drives which speed a deflection of its joystick gives.
 cli-help-chair-pair = Make a key for a chair, keep it with the clinic, and show it once as a QR code.
 # A further paragraph.
 cli-help-chair-pair-units = Speeds are in m/s and rad/s, accelerations in m/s2 and rad/s2, jerks in m/s3 and rad/s3.

@@ -137,6 +137,7 @@ cli-help-floorplan-check-file = Un plano o una escena.
 
 cli-help-chair = Vincular una silla real; recibir en la silla lo que ha de conducir.
 cli-help-chair-receive = En la silla: comprobar los comandos, vigilar el tiempo, cambiar las velocidades poco a poco y accionar una salida.
+cli-help-chair-measure = En la silla: medir con recorridos cortos qué velocidad da cada desviación de su joystick.
 cli-help-chair-pair = Crear una clave para una silla, guardarla con la clínica y mostrarla una vez como código QR.
 # A further paragraph.
 cli-help-chair-pair-units = Las velocidades se dan en m/s y rad/s, las aceleraciones en m/s2 y rad/s2, los tirones en m/s3 y rad/s3.
