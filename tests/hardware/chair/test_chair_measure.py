@@ -2,6 +2,7 @@
 
 import os
 import pty
+import select
 
 import pytest
 from fake_clock import FakeClock
@@ -63,7 +64,7 @@ def guided(output, results, inputs=None):
 
 def test_the_board_gets_the_percents_and_the_document_is_made(board_and_output):
     board, _, output = board_and_output
-    drive, told = guided(output, ["0", "2 8", "4 8", "2 5", "90 2"])
+    drive, told = guided(output, ["0", "1 10", "4 8", "2 5", "90 2"])
     assert drive.document is not None, told
     driven = {(forwards, right) for flags, forwards, right in board.commands if flags}
     assert {(50, 0), (100, 0), (200, 0), (-50, 0), (0, 50)} <= driven
@@ -96,17 +97,25 @@ def test_a_pressed_switch_or_a_silent_board_lets_nothing_begin(board_and_output,
     assert not any(flags for flags, *_ in board.commands)
 
 
+def arrive(near):
+    """Wait until what was typed has come through the pseudo-terminal."""
+    assert select.select([near], [], [], 30.0)[0]
+
+
 def test_a_terminal_gives_lines_or_each_key_and_quits_when_it_is_closed():
     far, near = pty.openpty()
     try:
         terminal = Terminal(near)
         assert terminal.read() is None
         os.write(far, b"2.5 6\n")
+        arrive(near)
         assert terminal.read() == "2.5 6\n"
         terminal.expect(any_key=True)
         os.write(far, b"x")
+        arrive(near)
         assert terminal.read() == "x"
         os.write(far, b"y")
+        arrive(near)
         terminal.expect(any_key=False)
         assert terminal.read() is None
     finally:
