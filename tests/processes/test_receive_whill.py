@@ -8,15 +8,15 @@ import time
 
 import pytest
 from processes.strange_sender import PATIENCE, Receiver, StrangeSender
-from processes.whill_on_a_line import WhillOnALine
 
 from app.hardware.chair.reasons import DESCRIPTIONS, Reason
+from app.hardware.chair.whill_emulator import EmulatedWhillLine
 from folders import ROOT
 
 
 @pytest.fixture
 def chair():
-    made = WhillOnALine()
+    made = EmulatedWhillLine()
     yield made
     made.close()
 

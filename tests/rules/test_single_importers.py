@@ -58,6 +58,7 @@ EXCEPTIONS: dict[str, tuple[str, ...]] = {
         "app.world.imports.dxf",
         "app.world.imports.image",
     ),
+    "tests use the emulated chair, too": ("app.hardware.chair.whill_emulator",),
     "how large a request may be is read apart from whose page may ask": ("app.api.body_limits",),
     "what is accepted of foreign files is read apart from the routes of the clinic's own plans": (
         "app.api.routes.plan_uploads",

@@ -1,7 +1,6 @@
-"""What is at the far end of a serial output, in memory: a WHILL, and the board of the analog output.
+"""What is at the far end of a serial output, in memory: the line, and the board of the analog output.
 
-Both are written from the descriptions of the bytes, not from the code that they test. The WHILL is the worst one that
-can be: it holds its last speed for ever.
+The board is written from the description of its bytes, not from the code that it tests.
 """
 
 import errno
@@ -9,8 +8,6 @@ import hashlib
 import hmac
 import struct
 from binascii import crc_hqx
-
-STEP_SPEED = 0.004 / 3.6  # m/s
 
 
 class MemoryPort:
@@ -37,69 +34,6 @@ class MemoryPort:
     def _check(self):
         if self.pulled:
             raise OSError(errno.ENODEV, "is gone")
-
-
-class WhillChair:
-    """A WHILL that drives exactly as it is commanded, its wheels `tread` m apart."""
-
-    def __init__(self, tread=0.5):
-        self.tread = tread
-        self.front = self.side = 0  # steps of 0.004 km/h
-        self.own_joystick_on = True
-        self.joystick, self.battery, self.power, self.error = (0, 0), 80, 1, 0
-        self.commands = []  # (t, payload)
-        self._interval = self._due = None
-
-    @property
-    def v(self):
-        return self.front * STEP_SPEED
-
-    @property
-    def omega(self):
-        return -self.side * STEP_SPEED / self.tread
-
-    def reboot(self):
-        """Start anew: nothing is sent before somebody asks."""
-        self._interval = None
-
-    def take(self, frame, t):
-        check = 0
-        for byte in frame:
-            check ^= byte
-        assert (frame[0], frame[1], check) == (0xAF, len(frame) - 2, 0)
-        payload = frame[2:-1]
-        self.commands.append((t, payload))
-        if payload[0] == 0:
-            assert payload[1] == 1
-            self._interval, self._due = int.from_bytes(payload[2:4], "big") / 1000, t
-        elif payload[0] == 3:
-            self.own_joystick_on = payload[1] == 1
-            assert payload[2:] == b"\0\0"
-            self.front = self.side = 0
-        elif payload[0] == 8:
-            self.own_joystick_on = payload[1] == 1
-            self.front, self.side = struct.unpack(">hh", payload[2:])
-            assert -500 <= self.front <= 1500
-            assert -750 <= self.side <= 750
-        else:
-            raise AssertionError(payload)
-
-    def sent(self, t):
-        if self._interval is None or t < self._due:
-            return b""
-        self._due = t + self._interval
-        return self.state()
-
-    def state(self):
-        """Return the bytes of data set 1."""
-        right, left = self.front - self.side / 2, self.front + self.side / 2
-        body = b"\x01" + bytes(12) + struct.pack(">bbB", *self.joystick, self.battery) + bytes(6)
-        body += struct.pack(">hh", -round(right), round(left)) + bytes([self.power, 2, self.error, 7])
-        frame = bytes([0xAF, len(body) + 1]) + body
-        check = 0
-        for byte in frame:
-            check ^= byte
-        return frame + bytes([check])
 
 
 class Board:

@@ -2,7 +2,7 @@
 
 import pytest
 from hardware.chair.driven_output import DrivenOutput
-from hardware.chair.far_ends import Board, MemoryPort, WhillChair
+from hardware.chair.far_ends import Board, MemoryPort
 from hardware.chair.ros_network import THIS_MACHINE_ONLY
 
 from app.hardware.chair import analog, whill
@@ -10,6 +10,7 @@ from app.hardware.chair.key import Key, write_key
 from app.hardware.chair.packet import DRIVE
 from app.hardware.chair.reasons import Reason
 from app.hardware.chair.receiver import ReceiverState
+from app.hardware.chair.whill_emulator import EmulatedWhill
 
 SECRET = bytes(range(32))
 SPEEDS = (0.2, 0.1)  # m/s, rad/s
@@ -31,7 +32,7 @@ class Rig:
         return self.far.is_moved
 
 
-class MovedWhill(WhillChair):
+class MovedWhill(EmulatedWhill):
     @property
     def is_moved(self):
         return self.front != 0 or self.side != 0

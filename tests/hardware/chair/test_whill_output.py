@@ -8,7 +8,7 @@ from itertools import pairwise
 
 import pytest
 from hardware.chair.driven_output import DrivenOutput
-from hardware.chair.far_ends import MemoryPort, WhillChair
+from hardware.chair.far_ends import MemoryPort
 from hypothesis import given
 from hypothesis import strategies as st
 from whill import ComWHILL
@@ -18,6 +18,7 @@ from app.hardware.chair import whill
 from app.hardware.chair.outputs import OutputRefused, open_output
 from app.hardware.chair.reasons import Reason
 from app.hardware.chair.receiver import ReceiverState
+from app.hardware.chair.whill_emulator import EmulatedWhill
 
 STEP_SPEED = 0.004 / 3.6  # m/s
 TREAD = 0.5  # m
@@ -55,7 +56,7 @@ def sdk():
 
 @pytest.fixture
 def chair():
-    return WhillChair(TREAD)
+    return EmulatedWhill(TREAD)
 
 
 @pytest.fixture
@@ -103,7 +104,7 @@ def test_the_sdk_reads_the_chair_s_states_as_this_program_does(sdk, chair):
 
 @given(st.lists(st.one_of(st.binary(max_size=40), st.just(None)), max_size=12), st.integers(1, 50))
 def test_states_are_found_in_any_junk_in_pieces_of_any_size(parts, size):
-    whole = WhillChair(TREAD).state()
+    whole = EmulatedWhill(TREAD).state()
     content = b"".join(whole if part is None else part.replace(b"\xaf", b"") for part in parts)
     received, found = bytearray(), []
     for start in range(0, len(content), size):

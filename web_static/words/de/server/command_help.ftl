@@ -138,6 +138,13 @@ cli-help-floorplan-check-file = Ein Grundriss oder eine Szene.
 cli-help-chair = Einen echten Rollstuhl koppeln; auf dem Rollstuhl empfangen, was er fahren soll.
 cli-help-chair-receive = Auf dem Rollstuhl: Fahrbefehle prüfen, die Zeit überwachen, Geschwindigkeiten allmählich ändern und einen Ausgang ansteuern.
 cli-help-chair-measure = Auf dem Rollstuhl: mit kurzen Fahrten messen, welche Geschwindigkeit ein Ausschlag seines Joysticks ergibt.
+cli-help-chair-rehearse = Ohne Rollstuhl üben: scharf schalten, fahren, anhalten, den Schalter drücken, Kabel eines nachgebildeten Rollstuhls ziehen.
+cli-help-chair-rehearse-record = Jeder Schritt sagt, was in wie vielen Millisekunden geschehen muss. Das Protokoll wird mit dem Schlüssel des Rollstuhls unterschrieben.
+cli-help-chair-rehearse-key-file = Der Schlüssel des Rollstuhls, wie ihn das Koppeln erzeugt hat.
+cli-help-chair-rehearse-out = Wohin das Protokoll kommt: eine .json-Datei; eine .md-Datei daneben ist zum Lesen.
+cli-help-chair-rehearse-who = Wer das tut: steht im Protokoll.
+cli-help-chair-rehearse-output = Was nachgebildet wird: sim oder whill.
+cli-help-chair-rehearse-verify = Stattdessen das Protokoll in --out prüfen: ob es so ist, wie es unterschrieben wurde.
 cli-help-chair-pair = Einen Schlüssel für einen Rollstuhl erzeugen, bei der Klinik aufbewahren und einmal als QR-Code zeigen.
 # A further paragraph.
 cli-help-chair-pair-units = Geschwindigkeiten stehen in m/s und rad/s, Beschleunigungen in m/s2 und rad/s2, Rucke in m/s3 und rad/s3.

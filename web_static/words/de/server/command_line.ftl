@@ -57,6 +57,52 @@ cli-shirt-next =
     Die Firmware des Shirts braucht den Inhalt des Codes. Zum Ausprobieren schreiben Sie ihn auf einem beliebigen
     Rechner in eine Datei { $file }, die nur Sie lesen können, und starten Sie dort:
 
+## chair: the rehearsal without one, and its record
+
+cli-rehearsal-title = Übung ohne Rollstuhl
+cli-rehearsal-about = { $who }, { $date }; bodydrive { $version }, Ausgang { $output }, Schlüssel { $key }.
+cli-rehearsal-no-chair = Der Rollstuhl war nachgebildet. Was ein echter tut, wenn sein Kabel gezogen wird oder der Empfänger endet, zeigt das nicht: Probieren Sie es mit angehobenen Rädern.
+cli-rehearsal-signed = { $file } ist unterschrieben. SHA-256: { $digest }. HMAC: { $tag }.
+cli-rehearsal-end = { $kept } von { $steps } Schritten wurden eingehalten. Das Protokoll ist { $file }.
+cli-rehearsal-no-output = --output { $output } lässt sich nicht nachbilden: Geben Sie eines an von { $outputs }
+cli-rehearsal-no-who = das Protokoll braucht --who, einen Namen in einer Zeile mit höchstens { $most } Zeichen: Geben Sie ihn an
+cli-rehearsal-no-json = --out { $file } endet nicht auf .json: Geben Sie einen solchen Namen an
+cli-rehearsal-no-receiver = der Empfänger startet nicht ({ $reason }): Berichtigen Sie, was er nennt
+cli-rehearsal-false = { $file } ist kein Protokoll, das mit diesem Schlüssel unterschrieben wurde, oder wurde seither geändert: Geben Sie die richtige Datei und den richtigen Schlüssel an
+cli-rehearsal-genuine = { $file } ist so, wie es mit diesem Schlüssel unterschrieben wurde.
+cli-rehearsal-step =
+    { $step ->
+        [paired] Der Empfänger startet mit dem Schlüssel des Rollstuhls.
+        [armed] Der Rollstuhl wird scharf geschaltet.
+        [driven] Er wird vorwärts gefahren.
+        [stopped] Stopp wird gedrückt.
+        [switch] Während der Fahrt wird der Schalter des Rollstuhls gedrückt.
+        [silence] Während der Fahrt enden die Fahrbefehle, wie wenn das Netzwerkkabel gezogen wird.
+        [hand] Während der Fahrt bewegt jemand den eigenen Joystick des Rollstuhls.
+        [cable] Während der Fahrt wird das Kabel des Rollstuhls gezogen.
+        [plugged] Das Kabel wird wieder eingesteckt.
+       *[killed] Während der Fahrt wird der Prozess des Empfängers abgebrochen.
+    }
+cli-rehearsal-must =
+    { $step ->
+        [paired] Er muss antworten.
+        [armed] Er muss das annehmen.
+        [driven] Seine Räder müssen sich drehen.
+        [stopped] Seine Räder müssen stehen.
+        [switch] Seine Räder müssen stehen.
+        [silence] Seine Räder müssen stehen.
+        [hand] Seine Räder müssen stehen.
+        [cable] Der Empfänger muss die Störung melden und keine Geschwindigkeit mehr verlangen.
+        [plugged] Die Räder müssen stehen, und der Rollstuhl darf nicht mehr scharf sein.
+       *[killed] Die Klinik muss sehen, dass er schweigt.
+    }
+cli-rehearsal-result =
+    { $how ->
+        [kept] EINGEHALTEN: { $took } von { $limit } ms.
+        [late] NICHT EINGEHALTEN: { $took } ms statt { $limit }.
+       *[never] NICHT EINGEHALTEN: Es geschah nicht ({ $limit } ms).
+    }
+
 ## decode
 
 cli-decode-suffix = --out { $file }: der Name muss auf .parquet oder .csv enden

@@ -138,6 +138,13 @@ cli-help-floorplan-check-file = A floor plan or a scene.
 cli-help-chair = Pair with a real chair; receive on the chair what it is to drive.
 cli-help-chair-receive = Run on the chair: check commands, watch the time, ramp, and drive an output.
 cli-help-chair-measure = Run on the chair: measure by short drives which speed a deflection of its joystick gives.
+cli-help-chair-rehearse = Rehearse without a chair: arm, drive, stop, press the switch, pull the cables of an emulated chair.
+cli-help-chair-rehearse-record = Each step says what must happen within how many milliseconds. The record is signed with the chair's key.
+cli-help-chair-rehearse-key-file = The chair's key, as pairing made it.
+cli-help-chair-rehearse-out = Where the record goes: a .json file; a .md file beside it is to be read.
+cli-help-chair-rehearse-who = Who does this: stands in the record.
+cli-help-chair-rehearse-output = What is emulated: sim or whill.
+cli-help-chair-rehearse-verify = Check the record in --out instead: whether it is as it was signed.
 cli-help-chair-pair = Make a key for a chair, keep it with the clinic, and show it once as a QR code.
 # A further paragraph.
 cli-help-chair-pair-units = Speeds are in m/s and rad/s, accelerations in m/s2 and rad/s2, jerks in m/s3 and rad/s3.

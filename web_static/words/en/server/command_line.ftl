@@ -57,6 +57,52 @@ cli-shirt-next =
     The shirt's firmware needs what the code says. To try it, write that into a file { $file } that only its owner
     can read, on any machine, and start there:
 
+## chair: the rehearsal without one, and its record
+
+cli-rehearsal-title = Rehearsal without a chair
+cli-rehearsal-about = { $who }, { $date }; bodydrive { $version }, output { $output }, key { $key }.
+cli-rehearsal-no-chair = The chair was emulated. What a real chair does when its cable is pulled or the receiver ends is not shown by this: try it with raised wheels.
+cli-rehearsal-signed = { $file } is signed. SHA-256: { $digest }. HMAC: { $tag }.
+cli-rehearsal-end = { $kept } of { $steps } steps were kept. The record is { $file }.
+cli-rehearsal-no-output = --output { $output } cannot be emulated: give one of { $outputs }
+cli-rehearsal-no-who = the record needs --who, a name in one line of at most { $most } letters: give it
+cli-rehearsal-no-json = --out { $file } does not end in .json: give such a name
+cli-rehearsal-no-receiver = the receiver does not start ({ $reason }): correct what it names
+cli-rehearsal-false = { $file } is not a record that was signed with this key, or was changed since: give the right file and key
+cli-rehearsal-genuine = { $file } is as it was signed with this key.
+cli-rehearsal-step =
+    { $step ->
+        [paired] The receiver starts with the chair's key.
+        [armed] The chair is armed.
+        [driven] It is driven forwards.
+        [stopped] Stop is pressed.
+        [switch] While it drives, the chair's switch is pressed.
+        [silence] While it drives, commands end, as when the network's cable is pulled.
+        [hand] While it drives, somebody moves the chair's own joystick.
+        [cable] While it drives, the chair's cable is pulled.
+        [plugged] The cable is plugged in again.
+       *[killed] While it drives, the receiver's process is killed.
+    }
+cli-rehearsal-must =
+    { $step ->
+        [paired] It must answer.
+        [armed] It must accept that.
+        [driven] Its wheels must turn.
+        [stopped] Its wheels must stand.
+        [switch] Its wheels must stand.
+        [silence] Its wheels must stand.
+        [hand] Its wheels must stand.
+        [cable] The receiver must report the fault and command no more speed.
+        [plugged] The wheels must stand, and the chair be disarmed.
+       *[killed] The clinic must see that it is silent.
+    }
+cli-rehearsal-result =
+    { $how ->
+        [kept] KEPT: { $took } of { $limit } ms.
+        [late] NOT KEPT: { $took } ms in place of { $limit }.
+       *[never] NOT KEPT: it did not happen ({ $limit } ms).
+    }
+
 ## decode
 
 cli-decode-suffix = --out { $file }: its name must end in .parquet or .csv

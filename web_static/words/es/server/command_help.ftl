@@ -138,6 +138,13 @@ cli-help-floorplan-check-file = Un plano o una escena.
 cli-help-chair = Vincular una silla real; recibir en la silla lo que ha de conducir.
 cli-help-chair-receive = En la silla: comprobar los comandos, vigilar el tiempo, cambiar las velocidades poco a poco y accionar una salida.
 cli-help-chair-measure = En la silla: medir con recorridos cortos qué velocidad da cada desviación de su joystick.
+cli-help-chair-rehearse = Ensayar sin silla: armar, conducir, parar, pulsar el interruptor y desconectar los cables de una silla emulada.
+cli-help-chair-rehearse-record = Cada paso dice qué debe ocurrir y en cuántos milisegundos. El registro se firma con la clave de la silla.
+cli-help-chair-rehearse-key-file = La clave de la silla, tal como la creó la vinculación.
+cli-help-chair-rehearse-out = Dónde se guarda el registro: un archivo .json; a su lado queda un archivo .md para leer.
+cli-help-chair-rehearse-who = Quién lo hace: figura en el registro.
+cli-help-chair-rehearse-output = Qué se emula: sim o whill.
+cli-help-chair-rehearse-verify = Comprobar en su lugar el registro de --out: si está tal como se firmó.
 cli-help-chair-pair = Crear una clave para una silla, guardarla con la clínica y mostrarla una vez como código QR.
 # A further paragraph.
 cli-help-chair-pair-units = Las velocidades se dan en m/s y rad/s, las aceleraciones en m/s2 y rad/s2, los tirones en m/s3 y rad/s3.

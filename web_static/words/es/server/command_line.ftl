@@ -57,6 +57,52 @@ cli-shirt-next =
     El firmware de la camiseta necesita lo que dice el código. Para probarlo, escríbalo en un archivo { $file } que solo
     pueda leer su propietario, en cualquier equipo, e inicie allí:
 
+## chair: the rehearsal without one, and its record
+
+cli-rehearsal-title = Ensayo sin silla
+cli-rehearsal-about = { $who }, { $date }; bodydrive { $version }, salida { $output }, clave { $key }.
+cli-rehearsal-no-chair = La silla era emulada. Esto no muestra qué hace una silla real cuando se desconecta su cable o termina el receptor: pruébelo con las ruedas levantadas.
+cli-rehearsal-signed = { $file } está firmado. SHA-256: { $digest }. HMAC: { $tag }.
+cli-rehearsal-end = Se cumplieron { $kept } de { $steps } pasos. El registro es { $file }.
+cli-rehearsal-no-output = --output { $output } no se puede emular: indique uno de { $outputs }
+cli-rehearsal-no-who = el registro necesita --who, un nombre en una línea de { $most } letras como máximo: indíquelo
+cli-rehearsal-no-json = --out { $file } no termina en .json: indique un nombre así
+cli-rehearsal-no-receiver = el receptor no arranca ({ $reason }): corrija lo que indica
+cli-rehearsal-false = { $file } no es un registro firmado con esta clave, o se ha modificado después: indique el archivo y la clave correctos
+cli-rehearsal-genuine = { $file } está tal como se firmó con esta clave.
+cli-rehearsal-step =
+    { $step ->
+        [paired] El receptor arranca con la clave de la silla.
+        [armed] Se arma la silla.
+        [driven] Se conduce hacia delante.
+        [stopped] Se pulsa Parar.
+        [switch] Durante la marcha se pulsa el interruptor de la silla.
+        [silence] Durante la marcha cesan los comandos, como al desconectar el cable de la red.
+        [hand] Durante la marcha alguien mueve el joystick propio de la silla.
+        [cable] Durante la marcha se desconecta el cable de la silla.
+        [plugged] Se vuelve a conectar el cable.
+       *[killed] Durante la marcha se interrumpe el proceso del receptor.
+    }
+cli-rehearsal-must =
+    { $step ->
+        [paired] Debe responder.
+        [armed] Debe aceptarlo.
+        [driven] Sus ruedas deben girar.
+        [stopped] Sus ruedas deben quedar paradas.
+        [switch] Sus ruedas deben quedar paradas.
+        [silence] Sus ruedas deben quedar paradas.
+        [hand] Sus ruedas deben quedar paradas.
+        [cable] El receptor debe avisar del fallo y no pedir más velocidad.
+        [plugged] Las ruedas deben quedar paradas y la silla, desarmada.
+       *[killed] La clínica debe ver que no responde.
+    }
+cli-rehearsal-result =
+    { $how ->
+        [kept] CUMPLIDO: { $took } de { $limit } ms.
+        [late] NO CUMPLIDO: { $took } ms en lugar de { $limit }.
+       *[never] NO CUMPLIDO: no ocurrió ({ $limit } ms).
+    }
+
 ## decode
 
 cli-decode-suffix = --out { $file }: su nombre debe terminar en .parquet o .csv
