@@ -148,7 +148,9 @@ def main(arguments: Sequence[str] | None = None, program: str = "python -m app.h
     if document is None:
         _tell("Not everything was measured, so nothing was written.")
         return 1
-    return _write(given.out, ({"name": given.name} if given.name else {}) | document, program)
+    if given.name:
+        document["name"] = given.name
+    return _write(given.out, document, program)
 
 
 def _write(out: Path, document: dict[str, object], program: str) -> int:

@@ -73,7 +73,7 @@ cli-rehearsal-genuine = { $file } ist so, wie es mit diesem Schlüssel unterschr
 cli-rehearsal-step =
     { $step ->
         [paired] Der Empfänger startet mit dem Schlüssel des Rollstuhls.
-        [armed] Der Rollstuhl wird scharf geschaltet.
+        [armed] Der Rollstuhl wird freigegeben.
         [driven] Er wird vorwärts gefahren.
         [stopped] Stopp wird gedrückt.
         [switch] Während der Fahrt wird der Schalter des Rollstuhls gedrückt.
@@ -93,7 +93,7 @@ cli-rehearsal-must =
         [silence] Seine Räder müssen stehen.
         [hand] Seine Räder müssen stehen.
         [cable] Der Empfänger muss die Störung melden und keine Geschwindigkeit mehr verlangen.
-        [plugged] Die Räder müssen stehen, und der Rollstuhl darf nicht mehr scharf sein.
+        [plugged] Die Räder müssen stehen, und der Rollstuhl muss gesperrt sein.
        *[killed] Die Klinik muss sehen, dass er schweigt.
     }
 cli-rehearsal-result =

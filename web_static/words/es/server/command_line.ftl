@@ -73,7 +73,7 @@ cli-rehearsal-genuine = { $file } está tal como se firmó con esta clave.
 cli-rehearsal-step =
     { $step ->
         [paired] El receptor arranca con la clave de la silla.
-        [armed] Se arma la silla.
+        [armed] Se habilita la silla.
         [driven] Se conduce hacia delante.
         [stopped] Se pulsa Parar.
         [switch] Durante la marcha se pulsa el interruptor de la silla.
@@ -93,7 +93,7 @@ cli-rehearsal-must =
         [silence] Sus ruedas deben quedar paradas.
         [hand] Sus ruedas deben quedar paradas.
         [cable] El receptor debe avisar del fallo y no pedir más velocidad.
-        [plugged] Las ruedas deben quedar paradas y la silla, desarmada.
+        [plugged] Las ruedas deben quedar paradas y la silla, deshabilitada.
        *[killed] La clínica debe ver que no responde.
     }
 cli-rehearsal-result =
