@@ -115,6 +115,7 @@ class GuidedDrive:
         self._axes = {axis: AxisRows(most.omega if axis == "turn" else most.v) for axis in DIRECTIONS}
         self._axis, self._percent = "forward", 0
         self._obstacle = ""
+        self._has_ended = False
         self._stepped: float | None = None  # s
         self._begun = 0.0  # s
         self._steady: list[tuple[float, float]] = []  # s since the begin of the drive, measured speed
@@ -152,7 +153,9 @@ class GuidedDrive:
         """
         pause = 0.0 if self._stepped is None else t - self._stepped
         self._stepped, self._obstacle = t, obstacle
-        if self.is_moving:
+        if self._has_ended:
+            self.phase = DrivePhase.ENDED
+        elif self.is_moving:
             if obstacle:
                 self._break_off(obstacle)
             elif not 0.0 <= pause <= STALL:
@@ -168,7 +171,7 @@ class GuidedDrive:
         return Deflection(True, ahead * percent, right * percent)
 
     def hear(self, text: str) -> None:
-        """Act on what the person typed: a line, or any key while the chair moves."""
+        """Act on what the person typed: a line, or any key while the chair moves or is about to."""
         line = text.strip().lower()
         if self.phase is DrivePhase.STANDS:
             self._break_off("A key was pressed.")
@@ -182,7 +185,8 @@ class GuidedDrive:
             self._count(line)
 
     def end(self) -> None:
-        """End all; the chair is let go at the next step."""
+        """End all; the chair is let go at the next step. A signal handler may call this in the midst of a step."""
+        self._has_ended = True
         self.phase = DrivePhase.ENDED
 
     def _begin(self, line: str) -> None:

@@ -133,6 +133,15 @@ def test_what_ends_a_drive_lets_go_at_once_and_the_same_drive_is_next(change, wh
     assert "FORWARDS, 5 percent" in session.told[-1]
 
 
+def test_an_end_in_the_midst_of_a_step_is_not_forgotten():
+    session = Session()
+    session.begin()
+    session.drive.end()
+    session.drive.phase = DrivePhase.DRIVES  # as a step sets it that the signal interrupted
+    assert session.step() == CENTRE
+    assert session.drive.phase is DrivePhase.ENDED
+
+
 def test_nothing_begins_while_the_chair_cannot_be_driven_or_by_a_wrong_word():
     session = Session()
     session.drive.hear("\n")
