@@ -13,6 +13,7 @@ from pipeline.gates import DT, armed_gate
 from app.calibration.vocabulary import DriveParameters
 from app.geometry import Twist
 from app.hardware.chair.packet import DRIVE, STOP
+from app.hardware.chair.reasons import Reason
 from app.pipeline.shaping import Shaper
 from app.speed_limits import Speeds
 from building import make_parameters
@@ -64,7 +65,7 @@ def receiver_twists(twists: Iterable[Twist], ending: Ending = "stop") -> Iterato
     if ending == "stop":
         chair.send(0.0, 0.0, STOP)
     elif ending == "switch":
-        chair.conditions["stop_pressed"] = True
+        chair.conditions["obstacle"] = Reason.STOP_INPUT
     while True:
         chair.step()
         yield chair.receiver.driven
