@@ -8406,6 +8406,9 @@ export interface components {
             chair: components["schemas"]["ChairSummary"] | null;
             parameters: components["schemas"]["ParametersSummary"] | null;
             speeds: components["schemas"]["Speeds"] | null;
+            hash: string | null;
+            document: string;
+            crawls: boolean;
             practised: components["schemas"]["PracticeView"];
             last_practised: components["schemas"]["LatestPractice"] | null;
             differences: (components["schemas"]["FieldDifference"] | components["schemas"]["BindingDifference"] | components["schemas"]["GestureDifference"])[];

@@ -275,6 +275,16 @@ class LinkedChair(Chair, Protocol):
         ...
 
     @property
+    def document(self) -> str:
+        """The first 16 hexadecimal digits of the chair document's SHA-256; empty: the chair tells of none."""
+        ...
+
+    @property
+    def crawls(self) -> bool:
+        """Whether the chair misses its document, and so drives at a crawl at most."""
+        ...
+
+    @property
     def due(self) -> float:
         """When the next command is to be sent (monotonic s), inf when none is."""
         ...

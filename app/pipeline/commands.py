@@ -53,6 +53,7 @@ class Commands:
         self._clock = clock
         self._runs = Runs(loop, server, clock)
         self._openings = Openings(clock)
+        self._armed_hash = ""  # of the newest arming
         self._commands = {
             "heartbeat": Command(command_fields.Heartbeat, self._heartbeat),
             "shirt": Command(command_fields.Device, self._shirt),
@@ -214,6 +215,7 @@ class Commands:
         if self._runs.ending:
             raise CommandRefused(Text("drives-run-ending"))
         _refuse(arming_refusal(self._loop, fields.hash))
+        self._armed_hash = fields.hash
         self._begin_neutral_check()
         return {}
 
@@ -241,6 +243,8 @@ class Commands:
             return {}
         goes_on = run is not None and run.kind == "drive" and run.was_armed
         if goes_on:
+            if self._setup.arming_hash != self._armed_hash:
+                raise CommandRefused(Text("drives-controls-changed"))
             _refuse(device_refusal(self._loop))
         if not gate.clear(fields.stops):
             raise CommandRefused(Text("drives-another-stop"))
@@ -294,13 +298,13 @@ def _refuse(sentence: Text | None) -> None:
 
 
 def arming_refusal(loop: ControlLoop, digest: str) -> Text | None:
-    """Return in a sentence why the chair cannot be armed with the parameters of this hash; None when it can."""
+    """Return in a sentence why the chair cannot be armed with what this hash names; None when it can."""
     setup, gate = loop.setup, loop.setup.chain.gate
     if loop.run is not None and loop.run.task is not None:
         return Text("drives-during-test")
     if setup.chain.parameters is None:
         return Text("drives-not-calibrated")
-    if digest != setup.hash:
+    if digest != setup.arming_hash:
         return Text("drives-controls-changed")
     missing = missing_brake(setup.chain.parameters)
     if missing is not None:
@@ -359,6 +363,8 @@ def status(loop: ControlLoop) -> JsonDocument:
             "kind": setup.chair_kind,
             "words": setup.chair_description,
             "switch_seen": setup.link is not None and setup.link.switch_reported,
+            "document": "" if setup.link is None else setup.link.document,
+            "crawls": setup.link is not None and setup.link.crawls,
         },
         "head": {"kind": setup.head.kind, "words": setup.head.description},
         "dial": setup.chain.dial,

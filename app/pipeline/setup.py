@@ -3,6 +3,7 @@
 import math
 from typing import Protocol, cast
 
+from app.arming_hash import arming_hash
 from app.arrivals import Arrivals
 from app.calibration.vocabulary import DriveParameters
 from app.clock import Clock
@@ -215,6 +216,11 @@ class Setup:
     def dynamics(self) -> Dynamics | None:
         """How the virtual chair moves; None for a real chair."""
         return self._dynamics if self.link is None else None
+
+    @property
+    def arming_hash(self) -> str | None:
+        """The hash with which the chair is armed: of the set and a real chair's document; None without a set."""
+        return None if self.hash is None else arming_hash(self.hash, "" if self.link is None else self.link.document)
 
     @property
     def stands(self) -> bool:

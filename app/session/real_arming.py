@@ -2,9 +2,11 @@
 
 import asyncio
 from dataclasses import dataclass
+from typing import NamedTuple
 
 import numpy as np
 
+from app.arming_hash import arming_hash
 from app.calibration.own_movement import own_movement_refusal
 from app.calibration.vocabulary import DriveParameters
 from app.refusals import Refusal
@@ -38,6 +40,9 @@ class ArmingSummary:
     parameters_id: int | None
     parameters: DriveParameters | None
     speeds: Speeds | None  # the limits that would apply
+    hash: str | None  # of the set and the chair document, with which the chair would be armed
+    document: str  # the digits of the chair document as the chair tells them; empty: it has none
+    crawls: bool  # whether the chair misses its document, and so drives at a crawl at most
     practice: Practice
     last_practised: DriveParameters | None
     differences: list[Difference]  # of `parameters` from `last_practised`
@@ -54,6 +59,14 @@ class _StoredSet:
     calibrated: SourceGroup = "unknown"  # the group of the recordings that they were calibrated with
     practice: Practice = NO_PRACTICE
     last_practised: DriveParameters | None = None
+
+
+class _ChairView(NamedTuple):
+    """What the chosen chair says of itself."""
+
+    refusals: list[Text | str]  # why it cannot be armed
+    document: str = ""
+    crawls: bool = False
 
 
 class RealArming:
@@ -81,15 +94,19 @@ class RealArming:
         stored = await asyncio.to_thread(self._read)
         parameters, last = stored.parameters, stored.last_practised
         changed = [] if parameters is None or last is None else differences(parameters, last)
+        chair = await self._chair_view(parameters)
         return ArmingSummary(
             session=stored.session,
             parameters_id=stored.parameters_id,
             parameters=parameters,
             speeds=None if parameters is None else self._speeds(parameters),
+            hash=None if parameters is None else arming_hash(parameters.hash, chair.document),
+            document=chair.document,
+            crawls=chair.crawls,
             practice=stored.practice,
             last_practised=last,
             differences=changed,
-            refusals=[*self._patient_refusals(stored), *await self._chair_refusals(parameters)],
+            refusals=[*self._patient_refusals(stored), *chair.refusals],
         )
 
     def lowered_speeds(self, speeds: Speeds) -> dict[str, float]:
@@ -123,18 +140,19 @@ class RealArming:
             refusals.append(NOT_PRACTISED)
         return refusals
 
-    async def _chair_refusals(self, parameters: DriveParameters | None) -> list[Text | str]:
+    async def _chair_view(self, parameters: DriveParameters | None) -> _ChairView:
         if self._chairs.chosen is None:
-            return [NO_CHAIR]
-        tick = self._control.newest()
-        refusal = self._chair_refusal(self._chairs.chosen.name, tick)
-        if refusal or parameters is None or not parameters.keeps_speed:
-            return [refusal] if refusal else []
+            return _ChairView([NO_CHAIR])
+        refusal = self._chair_refusal(self._chairs.chosen.name, self._control.newest())
+        if refusal:
+            return _ChairView([refusal])
         try:
-            status = await self._control.call("status")
+            chair = (await self._control.call("status"))["chair"]
         except Refusal as lost:
-            return [text_of(lost)]
-        return [] if status["chair"].get("switch_seen") else [SHOW_THE_SWITCH]
+            return _ChairView([text_of(lost)])
+        needs_switch = parameters is not None and parameters.keeps_speed and not chair.get("switch_seen")
+        refusals: list[Text | str] = [SHOW_THE_SWITCH] if needs_switch else []
+        return _ChairView(refusals, chair.get("document", ""), bool(chair.get("crawls")))
 
     def _chair_refusal(self, name: str, tick: np.void | None) -> Text | str | None:
         if tick is None:

@@ -1,6 +1,7 @@
 """A drive of the real chair: a recorded run, armed, watched to its end."""
 
 import asyncio
+from collections.abc import Mapping
 from dataclasses import dataclass
 from functools import partial
 
@@ -56,13 +57,20 @@ class RealDriveFlow(RunFlow[RunningDrive]):
     )
 
     async def start(
-        self, session: PatientSession, starter: Starter, chair: PairedChair, parameters_id: int, digest: str
+        self,
+        session: PatientSession,
+        starter: Starter,
+        chair: PairedChair,
+        parameters_id: int,
+        digest: str,
+        document: str,
     ) -> int:
-        """Begin a drive and return its id: recorded, armed with the parameter set of this hash."""
+        """Begin a drive and return its id: recorded, armed with the set and the chair document of this hash."""
         async with self._alone():
-            meta = {"chair": chair.name, "key_id": chair.key_id, "hash": digest}
+            own = {"document": document} if document else {}
+            meta = {"chair": chair.name, "key_id": chair.key_id, "hash": digest, **own}
             return await self._arm(
-                session.id, meta, digest, partial(self._add, session, starter, chair, parameters_id, digest)
+                session.id, meta, digest, partial(self._add, session, starter, chair, parameters_id, digest, own)
             )
 
     def _add(
@@ -72,6 +80,7 @@ class RealDriveFlow(RunFlow[RunningDrive]):
         chair: PairedChair,
         parameters_id: int,
         digest: str,
+        own: Mapping[str, str],
         run: SessionRun,
     ) -> RunningDrive:
         with self._database.transaction() as db:
@@ -83,7 +92,8 @@ class RealDriveFlow(RunFlow[RunningDrive]):
                 parameters_id=parameters_id,
                 digest=digest,
             )
-            write_log(db, starter.name, "armed", drive=drive.id, chair=chair.id, parameters=parameters_id, hash=digest)
+            what = {"drive": drive.id, "chair": chair.id, "parameters": parameters_id, "hash": digest, **own}
+            write_log(db, starter.name, "armed", **what)
             return RunningDrive(
                 drive.id, session.patient_id, session.id, starter.person_id, starter.screen, run, DriveWatch()
             )

@@ -11,7 +11,7 @@ from app.texts import Text
 
 
 def add_drive(db: Session, *, run: Run, patient_id: int, chair_id: int, parameters_id: int, digest: str) -> Drive:
-    """Add a drive that begins; `digest` is the hash of the parameter set that is armed."""
+    """Add a drive that begins; `digest` is the hash of what is armed."""
     drive = Drive(
         clinic_id=own_clinic_id(db),
         patient_id=patient_id,

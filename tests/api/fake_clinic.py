@@ -222,5 +222,5 @@ class Clinic:
 
 def arm(clinic: Clinic, **headers: str) -> Any:
     """Arm the real chair with what the page of the drive shows."""
-    digest = clinic.good("GET", "/drives/summary")["parameters"]["hash"]
+    digest = clinic.good("GET", "/drives/summary")["hash"]
     return clinic("POST", "/drives", json={"hash": digest, "screen": WORD}, headers=headers)

@@ -52,6 +52,7 @@ class FakeProcess:
         self.stops, self.dial, self.chair = 0, 1.0, "virtual"
         self.says: dict[str, Any] = {"battery": 0.5}  # what the real chair says, by the names of the tick
         self.switch_seen = False
+        self.document, self.crawls = "", False  # of the real chair
         self.mistrust = ""  # why the shirt arms no real chair
         self.senders: dict[str, Any] | None = None  # of a shirt over the network
         self.found: list[str] = []
@@ -108,6 +109,7 @@ class FakeProcess:
             others = {"senders": self.senders, "found": self.found, "arrivals": self.arrivals}
             shirt = {"kind": "simulator", "words": self.shirt_words, **frames, **others}
             chair = {"kind": self.chair, "words": f"A {self.chair} chair.", "switch_seen": self.switch_seen}
+            chair |= {"document": self.document, "crawls": self.crawls}
             loop = {"realtime": ["No real-time scheduling."], "late": 0, "recording": None, "hash": None}
             return {"shirt": shirt, "chair": chair, "dial": self.dial, **loop}
         return {}

@@ -17,7 +17,7 @@ from processes.chair_process import Receiving
 from folders import ROOT
 
 PATIENCE = 60.0  # s
-COMMAND, TELEMETRY = struct.Struct("<4sBBHIQQffff8s"), struct.Struct("<4sBBHIQQ8sfffBBBBff")
+COMMAND, TELEMETRY = struct.Struct("<4sBBHIQQffff8s"), struct.Struct("<4sBBHIQQ8sfffBBBBff8s")
 KEY_ID, SECRET = 513, bytes(range(100, 132))
 
 
@@ -94,10 +94,10 @@ class StrangeSender:
                     self.socket.send(datagram)
 
     def _hear(self, datagram):
-        if len(datagram) != 76 or datagram[:5] != b"BMIT\x02":
+        if len(datagram) != 84 or datagram[:5] != b"BMIT\x02":
             return
-        if hmac.new(SECRET, datagram[:60], hashlib.sha256).digest()[:16] == datagram[60:]:
-            self.telemetry.append(TELEMETRY.unpack(datagram[:60]))
+        if hmac.new(SECRET, datagram[:68], hashlib.sha256).digest()[:16] == datagram[68:]:
+            self.telemetry.append(TELEMETRY.unpack(datagram[:68]))
 
 
 class Receiver(Receiving):

@@ -77,11 +77,18 @@ class LatestPractice(Answer):
 
 
 class Summary(Document):
-    """What arming would apply; None for what is missing."""
+    """What arming would apply; None for what is missing.
+
+    `hash` is of the set and the chair document, whose first digits are `document`, empty where the chair has none;
+    `crawls`: the chair misses its document, and drives at 0.3 m/s at most.
+    """
 
     chair: ChairSummary | None
     parameters: ParametersSummary | None
     speeds: Speeds | None
+    hash: str | None
+    document: str
+    crawls: bool
     practised: PracticeView
     last_practised: LatestPractice | None
     differences: list[Difference]
@@ -89,7 +96,7 @@ class Summary(Document):
 
 
 class NewDrive(Document):
-    """The hash of the set whose summary the person has read, and their screen."""
+    """The hash of the summary that the person has read, and their screen."""
 
     hash: Annotated[str, Field(pattern=r"^[0-9a-f]{64}$")]
     screen: ScreenWord
@@ -119,6 +126,9 @@ async def summary(_person: Anyone, chairs: ChairsPart, arming: ArmingPart) -> Su
         chair=None if chair is None else ChairSummary.of(chair),
         parameters=None if parameters is None else ParametersSummary.of(parameters),
         speeds=now.speeds,
+        hash=now.hash,
+        document=now.document,
+        crawls=now.crawls,
         practised=PracticeView.of(now.practice),
         last_practised=None if last is None else LatestPractice.of(last),
         differences=now.differences,
@@ -152,7 +162,7 @@ async def arm(
         chair = chairs.chosen
         if chair is None or now.session is None or now.parameters is None or now.parameters_id is None:
             raise HTTPException(409, CHANGED)  # unreachable: each of these is among the refusals
-        if now.parameters.hash != body.hash:
+        if now.hash != body.hash:
             raise Conflict(CHANGED)
         age = screens.age(Screen(person.person_id, body.screen), monotonic())
         if age is None or age > HEARD_WITHIN:
@@ -161,7 +171,7 @@ async def arm(
         if obstacle is not None:
             raise Conflict(obstacle)
         starter = Starter(person.person_id, person.name, body.screen)
-        drive_id = await drive_flow.start(now.session, starter, chair, now.parameters_id, body.hash)
+        drive_id = await drive_flow.start(now.session, starter, chair, now.parameters_id, body.hash, now.document)
     return await asyncio.to_thread(_one, database, drive_id)
 
 

@@ -78,7 +78,7 @@ class AnalogBoard:
         except KeyRefused as error:
             raise OutputRefused(str(error)) from error
         self._table = joystick_table(chair_document)
-        self.most = self._table.most
+        self.most, self.table = self._table.most, self._table.report
         self._port = SerialPort(device, BAUD)
         self._bytes = bytearray()
         self._status: BoardStatus | None = None  # the newest

@@ -18,6 +18,7 @@ from typing import NamedTuple, NoReturn, TypeGuard
 
 from app.geometry import Twist
 from app.hardware.chair.outputs import FASTEST_TWIST, OutputRefused
+from app.hardware.chair.readings import TableReport
 
 FULL = 100.0  # percent
 MOST_BYTES = 64 * 1024  # of a document
@@ -29,6 +30,7 @@ FIELDS = ("version", "name", "dead_band", "forward", "back", "turn", "lag")
 MOST_LETTERS = 80  # of a name
 LARGEST_LAG = 5.0  # s
 SHOWN_DIGITS = 12  # of a document's SHA-256, in hexadecimal
+DIGEST_BYTES = 8  # of it, for the telemetry
 LARGEST_SPEED = {"forward": 6.0, "back": 6.0, "turn": 6.0}  # m/s, m/s, rad/s: a larger one is a mistake
 
 # Without a document the chair is taken for one that full deflection drives at 15 km/h, the fastest that EN 12184 has,
@@ -62,6 +64,7 @@ class JoystickTable(NamedTuple):
     back: AxisTable
     turn: AxisTable
     most: Twist  # m/s forwards, rad/s: the fastest that is commanded
+    report: TableReport
     note: str  # of what it was made, for who sets the output up
 
     def deflection(self, twist: Twist) -> tuple[float, float]:
@@ -79,6 +82,7 @@ UNMEASURED = JoystickTable(
     _straight(ASSUMED_SPEED),
     _straight(ASSUMED_TURN_RATE),
     UNMEASURED_MOST,
+    TableReport(is_crawling=True),
     f"No chair document is given, so full deflection is taken for {ASSUMED_SPEED:g} m/s and {ASSUMED_TURN_RATE:g} "
     f"rad/s, and at most {UNMEASURED_MOST.v:g} m/s and {UNMEASURED_MOST.omega:g} rad/s are commanded. A chair that is "
     "slower by itself drives slower than that, or not at all.",
@@ -149,9 +153,9 @@ def table_of(text: str, file: Path) -> JoystickTable:
         axes.append(AxisTable(speeds, percents))
     forward, back, turn = axes
     most = Twist(min(forward.speeds[-1], FASTEST_TWIST.v), min(turn.speeds[-1], FASTEST_TWIST.omega))
-    digits = hashlib.sha256(text.encode()).hexdigest()[:SHOWN_DIGITS]
-    note = f"Speeds are by the chair document {file}, whose SHA-256 begins with {digits}."
-    return JoystickTable(forward, back, turn, most, note)
+    digest = hashlib.sha256(text.encode()).digest()
+    note = f"Speeds are by the chair document {file}, whose SHA-256 begins with {digest.hex()[:SHOWN_DIGITS]}."
+    return JoystickTable(forward, back, turn, most, TableReport(digest[:DIGEST_BYTES]), note)
 
 
 def _is_number(value: object) -> TypeGuard[float]:

@@ -65,6 +65,7 @@ class ChairLink:
         self._ended = -math.inf
         self._epoch, self._nonce = 0, b""  # of the current arming, and the nonce for which it was made; 0: none yet
         self._digest = self._armed_digest = bytes(DIGEST_BYTES)  # of the parameters: now, and when it was armed
+        self._armed_document = ""  # that the chair told of when it was armed
         self._twist = STANDSTILL  # of the newest `drive`
         self._sent: deque[tuple[int, float]] = deque(maxlen=100)  # sequence, when
         self._sent_at = -math.inf
@@ -170,8 +171,22 @@ class ChairLink:
 
     @property
     def ready(self) -> bool:
-        """Whether the chair has accepted the current arming and has got commands without a pause since."""
-        return self.telemetry.ready and not self._stalled
+        """Whether the chair has accepted the current arming, has the document that it was armed with, and has got
+        commands without a pause since.
+        """
+        return self.telemetry.ready and not self._stalled and self.document == self._armed_document
+
+    @property
+    def document(self) -> str:
+        """The first 16 hexadecimal digits of the chair document's SHA-256; empty: the chair tells of none."""
+        newest = self.telemetry.newest
+        return newest.document.hex() if newest is not None and any(newest.document) else ""
+
+    @property
+    def crawls(self) -> bool:
+        """Whether the chair misses its document, and so drives at a crawl at most."""
+        newest = self.telemetry.newest
+        return newest is not None and newest.crawls != 0
 
     @property
     def inhibited(self) -> bool:
@@ -241,7 +256,7 @@ class ChairLink:
         before, self._state = self._state, state
         if state is State.CHECKING:
             self._flags = self._left = 0
-            self._armed_digest = self._digest
+            self._armed_digest, self._armed_document = self._digest, self.document
             self._nonce = b""
             self._stalled = self.telemetry.switch_refuted = False
             self.due = t

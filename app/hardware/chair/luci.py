@@ -53,7 +53,7 @@ class LuciRemote:
     def __init__(self, chair_document: Path | None = None) -> None:
         """Join the ROS 2 domain of ROS_DOMAIN_ID; raise OutputRefused for a wrong document, or without DDS."""
         self._table = joystick_table(chair_document)
-        self.most = self._table.most
+        self.most, self.table = self._table.most, self._table.report
         self._topic = PublishedTopic(COMMAND_TOPIC, LuciJoystick)
         participant = self._topic.participant
         own: Any = Topic(participant, wire_name(OWN_TOPIC), LuciJoystick)

@@ -10,7 +10,7 @@ from typing import NamedTuple, Protocol
 
 from app.geometry import Pose, Twist
 from app.hardware.chair.odometry import arc
-from app.hardware.chair.readings import NO_READINGS, ChairReadings
+from app.hardware.chair.readings import NO_READINGS, NO_TABLE, ChairReadings, TableReport
 from app.speed_ceiling import HIGHEST_SPEED, HIGHEST_TURN_RATE
 
 STDOUT = 1
@@ -31,6 +31,7 @@ class Output(Protocol):
 
     is_real: bool  # whether the output moves a chair that a person may sit in
     most: Twist  # m/s, rad/s: the fastest that the output drives, forwards and in a turn
+    table: TableReport  # of its chair document
 
     def poll(self, t: float) -> ChairReadings:
         """Return what the chair has reported of itself up to `t` (s). OSError: the chair does not answer."""
@@ -85,6 +86,7 @@ class Lines:
 
     is_real = False
     most = FASTEST_TWIST
+    table = NO_TABLE
     EVERY = 0.1  # s
     MARGIN = 0.02  # s, two steps: a line that would be due before the next step, or during a late one, is written now
 
@@ -119,6 +121,7 @@ class SimulatedDrive:
 
     is_real = False
     most = FASTEST_TWIST
+    table = NO_TABLE
     WHEEL_DISTANCE = 0.55  # m between the driven wheels of a powered chair
     EVERY = 1.0  # s
 

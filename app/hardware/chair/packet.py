@@ -1,6 +1,6 @@
 """The datagrams of the chair link (docs/protocols.md, section 9). Standard library only.
 
-Everything is little-endian. A command has 52 bytes and a tag, a telemetry 60 bytes and a tag: the first 16 bytes of
+Everything is little-endian. A command has 52 bytes and a tag, a telemetry 68 bytes and a tag: the first 16 bytes of
 HMAC-SHA-256. The tag of a command also covers the receiver's nonce, which is new at every boot and every disarming, so
 that a recorded command is refused.
 """
@@ -13,15 +13,15 @@ from typing import NamedTuple
 from app.hardware.chair.key import Key
 
 VERSION = 1  # of a command and of a hello
-TELEMETRY_VERSION = 2  # 1 had neither measured speeds nor the chair's own joystick
+TELEMETRY_VERSION = 2  # 1 had no measured speeds, nor the chair's own joystick and document
 COMMAND_MAGIC, TELEMETRY_MAGIC, HELLO_MAGIC = b"BMIW", b"BMIT", b"BMIH"
 DRIVE, STOP, VIRTUAL = 1, 2, 4  # flags of a command
 
 TAG_BYTES, NONCE_BYTES, DIGEST_BYTES = 16, 8, 8
 _COMMAND = Struct("<4sBBHIQQffff8s")
-_TELEMETRY = Struct("<4sBBHIQQ8sfffBBBxff")
+_TELEMETRY = Struct("<4sBBHIQQ8sfffBBBBff8s")
 FRAME_BYTES = _COMMAND.size + TAG_BYTES  # 68, of a command
-TELEMETRY_BYTES = _TELEMETRY.size + TAG_BYTES  # 76
+TELEMETRY_BYTES = _TELEMETRY.size + TAG_BYTES  # 84
 _HELLO = Struct("<4sBBHI")
 
 
@@ -55,8 +55,10 @@ class Telemetry(NamedTuple):
     stop_input: int  # 1: pressed
     fault: int  # app.hardware.chair.reasons.Reason
     own_joystick: int = 0  # 1: somebody moves the chair's own joystick
+    crawls: int = 0  # 1: a chair document is missing, so the receiver commands a crawl at most
     measured_v: float = math.nan  # m/s, as the chair itself measures it; NaN: it does not
     measured_omega: float = math.nan  # rad/s
+    document: bytes = bytes(DIGEST_BYTES)  # the first 8 bytes of the chair document's SHA-256; zeros: it has none
 
 
 def encode_command(command: ChairCommand, key: Key, nonce: bytes) -> bytes:
@@ -81,7 +83,7 @@ def decode_command(datagram: bytes, key: Key, nonce: bytes) -> ChairCommand | No
 
 
 def encode_telemetry(telemetry: Telemetry, key: Key) -> bytes:
-    """Return the 76 bytes of a telemetry."""
+    """Return the 84 bytes of a telemetry."""
     state, key_id, *rest = telemetry
     body = _TELEMETRY.pack(TELEMETRY_MAGIC, TELEMETRY_VERSION, state, key_id, *rest)
     return body + _tag(key, body)

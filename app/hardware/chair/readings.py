@@ -1,9 +1,19 @@
-"""What a chair reports of itself to the output that drives it. Standard library only."""
+"""What a chair, and the output that drives it, report of themselves. Standard library only."""
 
 import math
 from typing import NamedTuple
 
 from app.hardware.chair.reasons import Reason
+
+
+class TableReport(NamedTuple):
+    """By which chair document an output makes deflections of a joystick out of speeds."""
+
+    digest: bytes = bytes(8)  # the first 8 bytes of the document's SHA-256; zeros: there is none
+    is_crawling: bool = False  # whether one is missing, so that a crawl is commanded at most
+
+
+NO_TABLE = TableReport()  # of an output that commands speeds, and needs no document
 
 
 class ChairReadings(NamedTuple):

@@ -218,7 +218,7 @@ def main(arguments: Sequence[str] | None = None, program: str = "python -m app.h
         complain(f"{program}: {error}")
         return 2
     v_max, omega_max = min(given.v_max, output.most.v), min(given.omega_max, output.most.omega)
-    receiver = Receiver(key, v_max, omega_max, refuses_virtual=output.is_real)
+    receiver = Receiver(key, v_max, omega_max, refuses_virtual=output.is_real, table=output.table)
     inputs = Inputs(given.stop_input, given.battery_input)
     loop = ReceiverLoop(receiver, TelemetrySender(receiver, key.id, end, paired), end, output, inputs, clock)
     for which in (signal.SIGTERM, signal.SIGINT, signal.SIGHUP):

@@ -22,7 +22,7 @@ from app.hardware.chair.packet import (
     decode_command,
     encode_telemetry,
 )
-from app.hardware.chair.readings import NO_READINGS, ChairReadings
+from app.hardware.chair.readings import NO_READINGS, NO_TABLE, ChairReadings, TableReport
 from app.hardware.chair.reasons import Reason
 from app.speed_ceiling import HIGHEST_SPEED, HIGHEST_TURN_RATE
 
@@ -91,10 +91,11 @@ class Receiver:
         omega_max: float = HIGHEST_TURN_RATE,
         *,
         refuses_virtual: bool = False,
+        table: TableReport = NO_TABLE,
         new_nonce: Callable[[int], bytes] = secrets.token_bytes,
     ) -> None:
         self._key = key
-        self._refuses_virtual = refuses_virtual
+        self._refuses_virtual, self._table = refuses_virtual, table
         self._new_nonce = new_nonce
         self._v = _SpeedRamp(v_max, ACCELERATION, STOP_DECELERATION)
         self._omega = _SpeedRamp(omega_max, TURN_ACCELERATION, STOP_TURN_DECELERATION)
@@ -175,8 +176,10 @@ class Receiver:
                 stop_input=int(stop_pressed),
                 fault=self.reason,
                 own_joystick=int(readings.own_joystick),
+                crawls=int(self._table.is_crawling),
                 measured_v=readings.v,
                 measured_omega=readings.omega,
+                document=self._table.digest,
             ),
             self._key,
         )

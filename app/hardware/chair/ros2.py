@@ -14,7 +14,7 @@ from cyclonedds.idl.types import float64, int32, uint32
 from app.geometry import STANDSTILL, Twist
 from app.hardware.chair.dds import PublishedTopic
 from app.hardware.chair.outputs import FASTEST_TWIST, OutputRefused
-from app.hardware.chair.readings import NO_READINGS, ChairReadings
+from app.hardware.chair.readings import NO_READINGS, NO_TABLE, ChairReadings
 
 PLAIN, STAMPED = "Twist", "TwistStamped"
 TOPIC, FRAME = "/cmd_vel", "base_link"
@@ -42,6 +42,7 @@ class Ros2Twist:
 
     is_real = True
     most = FASTEST_TWIST
+    table = NO_TABLE
 
     def __init__(self, topic: str = TOPIC, message: str = PLAIN, frame: str | None = None) -> None:
         """Join the ROS 2 domain of ROS_DOMAIN_ID; raise OutputRefused for a name that is none, or without DDS."""

@@ -25,7 +25,7 @@ from typing import NamedTuple
 
 from app.geometry import STANDSTILL, Twist
 from app.hardware.chair.outputs import FASTEST_TWIST
-from app.hardware.chair.readings import ChairReadings
+from app.hardware.chair.readings import NO_TABLE, ChairReadings
 from app.hardware.chair.reasons import Reason
 from app.hardware.chair.serial_port import SerialPort
 
@@ -90,6 +90,7 @@ class WhillLine:
     """
 
     is_real = True
+    table = NO_TABLE
 
     def __init__(self, device: str, tread: float, backward_motor: str | None = None) -> None:
         """Open the line; raise OutputRefused when that is not possible.

@@ -4,6 +4,7 @@ from typing import Any
 
 from api.fake_clinic import WHERE, WORD, Clinic, arm, sentence_of
 
+from app.arming_hash import arming_hash
 from app.hardware.chair.reasons import DESCRIPTIONS, Reason
 from app.hardware.shirt.kind import NO_KEY
 from app.session.equipment.shirt import Equipment
@@ -32,6 +33,25 @@ def test_the_summary_is_what_would_apply(ready: Any) -> None:
     assert (summary["speeds"]["forward"], summary["speeds"]["turn"]) == (0.25, 0.4)  # chair, clinic, half of both
     assert (summary["practised"]["trials"], summary["last_practised"]["hash"]) == (1, parameters["hash"])
     assert (summary["differences"], summary["refusals"]) == ([], [])
+
+
+def test_a_chair_with_a_document_is_armed_with_the_hash_of_both(ready: Any) -> None:
+    plain = ready.good("GET", "/drives/summary")
+    assert (plain["hash"], plain["document"], plain["crawls"]) == (plain["parameters"]["hash"], "", False)
+    ready.process.crawls = True
+    assert ready.good("GET", "/drives/summary")["crawls"]
+    ready.process.document, ready.process.crawls = "0123456789abcdef", False
+    summary = ready.good("GET", "/drives/summary")
+    assert summary["hash"] == arming_hash(plain["hash"], "0123456789abcdef") != plain["hash"]
+    assert summary["practised"]["trials"] == 1, "practice is of the set"
+    with ready.screen():
+        assert "changed meanwhile" in ready.refused(
+            409, "POST", "/drives", json={"hash": plain["hash"], "screen": WORD}
+        )
+        assert arm(ready).json()["hash"] == summary["hash"]
+    assert ready.process.calls[-1] == ("arm", {"hash": summary["hash"]})
+    run = next(fields for do, fields in reversed(ready.process.calls) if do == "run")
+    assert run["meta"]["document"] == "0123456789abcdef"
 
 
 def test_what_was_not_practised_is_not_armed_and_the_differences_are_named(ready: Any) -> None:

@@ -50,6 +50,7 @@ def test_who_sets_it_up_is_told_which_document_it_is(table, tmp_path):
     note = table(GOOD).note
     digits = hashlib.sha256((tmp_path / "chair.json").read_bytes()).hexdigest()
     assert f"begins with {digits[:12]}." in note
+    assert table(GOOD).report == (bytes.fromhex(digits[:16]), False)
 
 
 def test_nothing_faster_is_commanded_than_was_measured_or_than_any_receiver_drives(table):
@@ -63,6 +64,7 @@ def test_without_a_document_every_chair_drives_slower_than_it_is_commanded():
     assert ahead == pytest.approx(100 * 0.3 / 4.2)
     assert right == pytest.approx(-100 * 0.5 / 4.0)
     assert (UNMEASURED.most, ASSUMED_SPEED) == (Twist(0.3, 0.5), 4.2)
+    assert UNMEASURED.report == (bytes(8), True)
     assert "0.3 m/s and 0.5 rad/s" in UNMEASURED.note
 
 

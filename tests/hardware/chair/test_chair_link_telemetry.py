@@ -76,6 +76,19 @@ def test_a_sender_that_stood_still_does_not_let_the_chair_go_on(pair):
     assert pair.link.ready
 
 
+def test_a_chair_with_another_document_than_when_it_was_armed_is_not_ready(pair):
+    pair.turn(State.DISARMED)
+    pair.hear(document=b"measured")
+    assert (pair.link.document, pair.link.crawls) == (b"measured".hex(), False)
+    last = pair.during(0.1, State.CHECKING)[-1]
+    pair.hear(ARMED, last.epoch, last.sequence, document=b"measured")
+    assert pair.link.ready
+    for other in (b"another!", bytes(8)):
+        pair.hear(ARMED, last.epoch, last.sequence, document=other, crawls=1)
+        assert pair.link.crawls
+        assert not pair.link.ready
+
+
 def test_recorded_telemetry_changes_nothing(pair):
     epoch = pair.arm()
     recorded = pair.chair.say(ARMED, epoch, 4)

@@ -29,7 +29,7 @@ KEY = Key(513, bytes(range(32)))
 NONCE = b"\xa0\xa1\xa2\xa3\xa4\xa5\xa6\xa7"
 DIGEST = b"\x01\x02\x03\x04\x05\x06\x07\x08"
 COMMAND = ChairCommand(5, 513, 0xDEADBEEF, 2**40 + 3, 123_456_789_012, 0.5, -1.25, 0.75, 1.5, DIGEST)
-TELEMETRY = Telemetry(2, 513, 0xDEADBEEF, 2**40 + 3, 987_654_321, NONCE, 0.5, -1.25, 0.875, 1, 4, 1, 0.375, -1.5)
+TELEMETRY = Telemetry(2, 513, 0xDEADBEEF, 2**40 + 3, 987_654_321, NONCE, 0.5, -1.25, 0.875, 1, 4, 1, 1, 0.375, -1.5, DIGEST)
 
 u8, u16, u32, u64 = (st.integers(0, 2**bits - 1) for bits in (8, 16, 32, 64))
 f32 = st.floats(width=32)
@@ -59,9 +59,9 @@ def test_a_command_has_exactly_the_bytes_of_the_contract():
 def test_a_telemetry_has_exactly_the_bytes_of_the_contract():
     body = b"BMIT" + bytes([2, 2]) + (513).to_bytes(2, "little") + (0xDEADBEEF).to_bytes(4, "little")
     body += (2**40 + 3).to_bytes(8, "little") + (987_654_321).to_bytes(8, "little") + NONCE
-    body += struct.pack("<f", 0.5) + struct.pack("<f", -1.25) + struct.pack("<f", 0.875) + bytes([1, 4, 1, 0])
-    body += struct.pack("<f", 0.375) + struct.pack("<f", -1.5)
-    assert len(body) == 60
+    body += struct.pack("<f", 0.5) + struct.pack("<f", -1.25) + struct.pack("<f", 0.875) + bytes([1, 4, 1, 1])
+    body += struct.pack("<f", 0.375) + struct.pack("<f", -1.5) + DIGEST
+    assert len(body) == 68
     assert encode_telemetry(TELEMETRY, KEY) == written_anew(body, KEY.secret)
     assert decode_telemetry(written_anew(body, KEY.secret), KEY) == TELEMETRY
 
@@ -88,12 +88,12 @@ def test_any_command_comes_back_as_it_was(key, nonce, fields):
     assert same(decode_command(datagram, key, nonce), command)
 
 
-@given(keys, st.tuples(u8, u32, u64, u64, eight, f32, f32, f32, u8, u8, u8, f32, f32))
+@given(keys, st.tuples(u8, u32, u64, u64, eight, f32, f32, f32, u8, u8, u8, u8, f32, f32, eight))
 def test_any_telemetry_comes_back_as_it_was(key, fields):
     state, *rest = fields
     telemetry = Telemetry(state, key.id, *rest)
     datagram = encode_telemetry(telemetry, key)
-    assert len(datagram) == 76
+    assert len(datagram) == 84
     assert same(decode_telemetry(datagram, key), telemetry)
 
 
@@ -146,7 +146,7 @@ def test_a_right_tag_over_a_wrong_head_does_not_help(at, value):
 def test_a_telemetry_of_version_1_counts_no_more():
     body = struct.pack("<4sBBHIQQ8sfffBBH", b"BMIT", 1, *TELEMETRY[:11], 0)
     assert decode_telemetry(written_anew(body, KEY.secret), KEY) is None
-    longer = struct.pack("<4sBBHIQQ8sfffBBBxff", b"BMIT", 1, *TELEMETRY)
+    longer = struct.pack("<4sBBHIQQ8sfffBBBBff8s", b"BMIT", 1, *TELEMETRY)
     assert decode_telemetry(written_anew(longer, KEY.secret), KEY) is None
 
 

@@ -28,6 +28,7 @@ export function ArmingSummary({ store, step }) {
       { class: "stack" },
       h(ChosenSet, { read, onLoad: store.load }),
       h(FirstSpeeds, { read }),
+      read.summary.crawls && h("p", { class: "crawls" }, t("apply-crawls")),
       h(FactList, { facts: modes(read.summary.parameters) }),
       h(Practice, { summary: read.summary, onPractise: store.chooseVirtual }),
       h("details", {}, h("summary", {}, t("apply-more")), h(FactList, { facts: details(read) })),
@@ -79,10 +80,15 @@ function modes({ mode_u1, mode_u2, cruise_time, turn_cruise_time }) {
 
 /** @param {Application} read @returns {Fact[]} */
 function details(read) {
-  const { cutoff, hash } = read.summary.parameters;
+  const { document: chairDocument, hash, parameters } = read.summary;
+  /** @type {Fact[]} */
+  const ofChair = chairDocument
+    ? [[t("apply-document"), h("code", {}, chairDocument.slice(0, FINGERPRINT)), t("apply-document-hint")]]
+    : [];
   return [
     ...SPEEDS.filter(({ name }) => !FIRST.has(name)).map((speed) => limit(speed, read)),
-    [t("speed-cutoff"), `${number(cutoff, 1)} ${t("unit-cutoff")}`],
+    [t("speed-cutoff"), `${number(parameters.cutoff, 1)} ${t("unit-cutoff")}`],
+    ...ofChair,
     [t("apply-hash"), h("code", {}, hash.slice(0, FINGERPRINT)), t("apply-hash-hint")],
   ];
 }

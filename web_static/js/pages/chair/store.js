@@ -17,7 +17,7 @@ const DECIDING = { what: ["session", "calibration", "controls", "equipment", "tr
 /**
  * @typedef {Awaited<ReturnType<typeof readArming>>} Reading what decides how a chair would drive
  * @typedef {NonNullable<Reading["summary"]>} Summary
- * @typedef {Summary & {parameters: ParametersSummary, speeds: Speeds}} FullSummary of a chair and a calibrated set
+ * @typedef {Summary & {parameters: ParametersSummary, speeds: Speeds, hash: string}} FullSummary of a chair and a calibrated set
  * @typedef {Reading & {chair: NonNullable<Reading["chair"]>, summary: FullSummary}} FullReading
  * @typedef {FullReading & {dial: number}} Application what arming would apply, and the dial's share
  * @typedef {ReturnType<typeof armingStore>} ArmingStore
@@ -85,7 +85,7 @@ export function armingStore(app, first, onDrive, pageLeft) {
   };
   const arm = async () => {
     isArming.value = true;
-    const { hash } = reading.value.summary.parameters;
+    const { hash } = reading.value.summary;
     const started = await app.toasts.attempt(() => app.api.post("/drives", { hash, screen: app.screen.word }));
     isArming.value = false;
     if (left.aborted) return;

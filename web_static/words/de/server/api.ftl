@@ -65,7 +65,7 @@ api-no-picture = Dieser Bildschirm hat kein Bild, und ohne Bild wird nicht gefah
 api-no-picture-for-patient = Der Patientenbildschirm hat kein Bild, und ohne Bild wird nicht gefahren. Warten Sie, bis das Bild da ist, oder entkoppeln Sie den Bildschirm.
 api-patients-screen-away = Der Patientenbildschirm, den dieser Durchgang verwendet, ist nicht erreichbar. Stellen Sie die Verbindung wieder her, oder entkoppeln Sie ihn. Tippen Sie dann auf „Fortsetzen“.
 api-process-restarting = Der Steuerungsprozess wird neu gestartet.
-api-controls-changed = Die Steuerung wurde inzwischen geändert. Lesen Sie noch einmal, welche Einstellungen gelten, und geben Sie den Rollstuhl dann frei.
+api-controls-changed = Die Steuerung oder das Rollstuhldokument wurde inzwischen geändert. Lesen Sie noch einmal, welche Einstellungen gelten, und geben Sie den Rollstuhl dann frei.
 api-not-in-view = Dieser Bildschirm hat noch nicht gemeldet, dass seine Seite zu sehen ist. Warten Sie einen Moment, und geben Sie den Rollstuhl dann noch einmal frei.
 api-trial-on-real-chair = Ein echter Rollstuhl ist gewählt. Wählen Sie für einen Durchgang den virtuellen.
 # $name is the name of a path in the program.

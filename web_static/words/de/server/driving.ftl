@@ -5,7 +5,7 @@
 
 drives-during-test = Der Zwei-Minuten-Test läuft, und dabei bewegt sich kein Rollstuhl. Beenden Sie zuerst den Test, und geben Sie den Rollstuhl dann frei.
 drives-not-calibrated = Noch gibt es nichts, womit man fahren könnte. Kalibrieren Sie zuerst.
-drives-controls-changed = Die Steuerung wurde inzwischen geändert. Laden Sie sie neu, und geben Sie den Rollstuhl dann frei.
+drives-controls-changed = Die Steuerung oder das Rollstuhldokument wurde inzwischen geändert. Laden Sie die Steuerung neu, und geben Sie den Rollstuhl dann frei.
 # $happened and $remedy are whole sentences on the stop that is still in force: what happened, and what to do.
 drives-latched = { $happened } { $remedy } Heben Sie den Stopp auf, und starten Sie dann noch einmal.
 drives-speed-without-brake = Mit dieser Steuerung würde der Rollstuhl ein Tempo halten, das keine Bewegung verringern kann. Ordnen Sie auf der Seite „Steuerung“ der Gegenrichtung oder dem Stopp eine Bewegung zu, oder wählen Sie „Folgt der Bewegung“.

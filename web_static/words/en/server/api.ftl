@@ -65,7 +65,7 @@ api-no-picture = This screen has no picture, and nobody drives blind: wait until
 api-no-picture-for-patient = The patient's screen has no picture, and nobody drives blind: wait until it has one, or unpair that screen.
 api-patients-screen-away = The patient's screen, which this trial uses, is out of reach: bring it back, or unpair it, then tap Continue.
 api-process-restarting = The control process is being restarted.
-api-controls-changed = The controls were changed meanwhile: read again what applies, then arm.
+api-controls-changed = The controls, or the chair's document, were changed meanwhile: read again what applies, then arm.
 api-not-in-view = This screen has not said yet that it is in view: wait a moment, then arm again.
 api-trial-on-real-chair = A real chair is chosen: choose the virtual one for a trial.
 # $name is the name of a path in the program.

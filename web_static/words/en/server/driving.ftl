@@ -5,7 +5,7 @@
 
 drives-during-test = The two-minute test is running, in which no chair moves: end it first, then arm.
 drives-not-calibrated = There is nothing to drive with: calibrate first.
-drives-controls-changed = The controls were changed meanwhile: load them again, then arm.
+drives-controls-changed = The controls, or the chair's document, were changed meanwhile: load the controls again, then arm.
 # $happened and $remedy are whole sentences on the stop that is still in force: what happened, and what to do.
 drives-latched = { $happened } { $remedy } Take the stop back first.
 drives-speed-without-brake = With these controls the chair would keep a speed that no movement can slow: on the Controls page, bind a movement to the opposite direction or to Stop, or choose “Follows the movement”.

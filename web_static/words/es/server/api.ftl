@@ -65,7 +65,7 @@ api-no-picture = Esta pantalla no tiene imagen, y nadie conduce a ciegas: espere
 api-no-picture-for-patient = La pantalla del paciente no tiene imagen, y nadie conduce a ciegas: espere a que la tenga, o desvincule esa pantalla.
 api-patients-screen-away = No hay conexión con la pantalla del paciente, que se usa en este ensayo: restablézcala, o desvincule esa pantalla, y después toque Continuar.
 api-process-restarting = El proceso de control se está reiniciando.
-api-controls-changed = Mientras tanto se cambiaron los controles: lea de nuevo qué se aplica y después habilite la silla.
+api-controls-changed = Mientras tanto se cambiaron los controles o el documento de la silla: lea de nuevo qué se aplica y después habilite la silla.
 api-not-in-view = Esta pantalla todavía no ha indicado que está a la vista: espere un momento y habilite la silla otra vez.
 api-trial-on-real-chair = Está elegida una silla real: para un ensayo, elija la virtual.
 # $name is the name of a path in the program.

@@ -5,7 +5,7 @@
 
 drives-during-test = La prueba de dos minutos está en marcha, y en ella no se mueve ninguna silla: termínela primero y después habilite la silla.
 drives-not-calibrated = Todavía no hay con qué conducir: calibre primero.
-drives-controls-changed = Mientras tanto se cambiaron los controles: cárguelos de nuevo y después habilite la silla.
+drives-controls-changed = Mientras tanto se cambiaron los controles o el documento de la silla: cargue de nuevo los controles y después habilite la silla.
 # $happened and $remedy are whole sentences on the stop that is still in force: what happened, and what to do.
 drives-latched = { $happened } { $remedy } Anule la parada y después empiece de nuevo.
 drives-speed-without-brake = Con estos controles, la silla mantendría una velocidad que ningún movimiento puede reducir: en la página Controles, asigne un movimiento a la dirección contraria o a “Parar”, o elija “Sigue el movimiento”.
