@@ -11,6 +11,7 @@ from drills.machine import disk_full, wall_clock
 from drills.network_cuts import cuts
 from drills.network_faults import forgeries, recorded_switch, weather
 from drills.odd_names import odd_names
+from drills.output_faults import output_faults, stop_at_outputs
 from drills.processes import hold_control, kill_control, kill_receiver, kill_web, web_silent
 from drills.results import Result
 from drills.schedules import schedules
@@ -33,6 +34,8 @@ DRILLS = {
     "stop": (tablet_stop, 100, 1),
     "sign-ins": (sign_ins, 30, 1),
     "switch": (chair_switch, 100, 1),
+    "outputs": (output_faults, 500, 4),
+    "outputs-stop": (stop_at_outputs, 400, 4),
     "shirt": (shirt_stalls, 50, 1),
     "kept-back": (shirt_kept_back, 20, 1),
     "sensors": (sensors_break, 60, 3),

@@ -44,11 +44,11 @@ class Sender(asyncio.DatagramProtocol):
     def begin(self):
         self._epoch = self._dice.randrange(1, 2**32)
 
-    def command(self, v):
+    def command(self, v, flags=DRIVE):
         self._sequence += 1
         t = monotonic()
         command = ChairCommand(
-            DRIVE, self._key.id, self._epoch, self._sequence, int(t * 1e9), v, 0.0, 1.5, 2.5, b"practise"
+            flags, self._key.id, self._epoch, self._sequence, int(t * 1e9), v, 0.0, 1.5, 2.5, b"practise"
         )
         self._transport.sendto(encode_command(command, self._key, self.nonce))
         return t

@@ -10,6 +10,7 @@ from collections import deque
 from contextlib import asynccontextmanager, suppress
 from pathlib import Path
 
+from drills.far_chairs import FarChair
 from drills.relay import Relay
 from drills.results import Watcher
 from processes.chair_process import ReceiverProcess
@@ -86,10 +87,11 @@ class DrillShirt(UdpShirtSender):
 class Rig:
     """The shirt, the control process, the network and the receiver of a drill."""
 
-    def __init__(self, folder, seed):
+    def __init__(self, folder, seed, output=None):
         self._folder = Path(folder)
-        (self._folder / "chair").mkdir()
-        self.receiver = ReceiverProcess(self._folder / "chair")
+        at = self._folder / "chair"
+        at.mkdir()
+        self.receiver = ReceiverProcess(at) if output is None else FarChair(at, output)
         self.relay = Relay(self.receiver.config()["port"], seed)
         self.watcher = Watcher()
         self.shirt_port = free_port()
@@ -245,10 +247,13 @@ def _decided(tick):
 
 
 @asynccontextmanager
-async def rig(seed=0, *, controlled=True):
-    """Yield a rig whose chair can be made to cruise; `controlled`: with a control process of its own."""
+async def rig(seed=0, *, controlled=True, output=None):
+    """Yield a rig whose chair can be made to cruise.
+
+    `controlled`: with a control process of its own; `output`: with a chair at the far end of this output.
+    """
     with tempfile.TemporaryDirectory(prefix="bodydrive-drill-") as folder:
-        made = Rig(folder, seed)
+        made = Rig(folder, seed, output)
         try:
             if controlled:
                 await made.start_control()

@@ -63,8 +63,8 @@ class Receiving:
 class ReceiverProcess:
     """A receiver with a key and a stop switch; its lines are kept as they come, also after it is started again."""
 
-    def __init__(self, folder, port=0, *options):
-        self.folder, self._options, self._port = folder, options, port
+    def __init__(self, folder, port=0, *options, output="stdout"):
+        self.folder, self._options, self._port, self._output = folder, options, port, output
         self.key_file, self._switch = folder / "7.key", folder / "switch"
         if not self.key_file.exists():
             write_key(self.key_file, new_key(7))
@@ -75,7 +75,7 @@ class ReceiverProcess:
     def start(self):
         """Start it, on the same port as before."""
         options = ("--stop-input", str(self._switch), "--port", str(self._port), *self._options)
-        self._receiving = Receiving(self.key_file, *options, lines=self.lines)
+        self._receiving = Receiving(self.key_file, *options, output=self._output, lines=self.lines)
         self._port = self._receiving.port
 
     def press(self, pressed):

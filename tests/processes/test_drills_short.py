@@ -1,6 +1,7 @@
 """Each fault drill with few runs, on real processes and sockets; `make drills` runs them in full.
 
-Drills that judge how quickly a loaded web process answers need a quiet machine: only `make drills` runs them.
+Drills that judge how quickly a loaded web process answers need a quiet machine, and those with a rig for each output
+take long: only `make drills` runs them.
 """
 
 import asyncio
@@ -10,8 +11,8 @@ import pytest
 from drills.drills import DRILLS
 from drills.schedules import Forbidden, faster
 
-OF_ANSWERS = {"sign-ins", "uploads", "second-socket", "large-plan"}
-NAMES = [pytest.param(name, marks=[pytest.mark.long] if name in OF_ANSWERS else []) for name in DRILLS]
+ONLY_IN_FULL = {"sign-ins", "uploads", "second-socket", "large-plan", "outputs-stop"}
+NAMES = [pytest.param(name, marks=[pytest.mark.long] if name in ONLY_IN_FULL else []) for name in DRILLS]
 
 
 @pytest.mark.parametrize("name", NAMES)

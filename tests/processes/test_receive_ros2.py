@@ -4,6 +4,7 @@ import signal
 import time
 
 import pytest
+from hardware.chair.ros_network import BETWEEN_PROCESSES
 from processes.strange_sender import PATIENCE, Receiver, StrangeSender
 
 core = pytest.importorskip("cyclonedds.core", reason="not every machine has this library: it is the extra ros2")
@@ -11,13 +12,10 @@ domain, sub, topic = (pytest.importorskip(f"cyclonedds.{name}") for name in ("do
 ros2 = pytest.importorskip("app.hardware.chair.ros2")
 
 DOMAIN = 79
-THIS_MACHINE_ONLY = """<CycloneDDS><Domain><General><AllowMulticast>false</AllowMulticast>
-<Interfaces><NetworkInterface address="127.0.0.1"/></Interfaces></General>
-<Discovery><Peers><Peer Address="127.0.0.1"/></Peers></Discovery></Domain></CycloneDDS>"""
 
 
 def test_ros_hears_every_ramp_and_zeros_at_the_end(tmp_path, monkeypatch):
-    monkeypatch.setenv("CYCLONEDDS_URI", THIS_MACHINE_ONLY)
+    monkeypatch.setenv("CYCLONEDDS_URI", BETWEEN_PROCESSES)
     monkeypatch.setenv("ROS_DOMAIN_ID", str(DOMAIN))
     participant = domain.DomainParticipant(DOMAIN)
     wants = core.Qos(core.Policy.Reliability.Reliable(max_blocking_time=0), core.Policy.History.KeepLast(10_000))

@@ -8,6 +8,10 @@ PATIENCE = 20.0  # s
 THIS_MACHINE_ONLY = """<CycloneDDS><Domain><General><AllowMulticast>false</AllowMulticast>
 <Interfaces><NetworkInterface address="127.0.0.1"/></Interfaces></General></Domain></CycloneDDS>"""
 
+BETWEEN_PROCESSES = THIS_MACHINE_ONLY.replace(
+    "</Domain>", '<Discovery><Peers><Peer Address="127.0.0.1"/></Peers></Discovery></Domain>'
+)
+
 
 def wait_until(condition):
     """Wait until a condition holds."""
