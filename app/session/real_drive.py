@@ -67,8 +67,8 @@ class RealDriveFlow(RunFlow[RunningDrive]):
     ) -> int:
         """Begin a drive and return its id: recorded, armed with the set and the chair document of this hash."""
         async with self._alone():
-            own = {"document": document} if document else {}
-            meta = {"chair": chair.name, "key_id": chair.key_id, "hash": digest, **own}
+            own: dict[str, str] = {"document": document} if document else {}
+            meta: dict[str, object] = {"chair": chair.name, "key_id": chair.key_id, "hash": digest, **own}
             return await self._arm(
                 session.id, meta, digest, partial(self._add, session, starter, chair, parameters_id, digest, own)
             )
@@ -92,8 +92,8 @@ class RealDriveFlow(RunFlow[RunningDrive]):
                 parameters_id=parameters_id,
                 digest=digest,
             )
-            what = {"drive": drive.id, "chair": chair.id, "parameters": parameters_id, "hash": digest, **own}
-            write_log(db, starter.name, "armed", **what)
+            what: dict[str, object] = {"drive": drive.id, "chair": chair.id, "parameters": parameters_id}
+            write_log(db, starter.name, "armed", **what, hash=digest, **own)
             return RunningDrive(
                 drive.id, session.patient_id, session.id, starter.person_id, starter.screen, run, DriveWatch()
             )

@@ -25,7 +25,8 @@ from app.hardware.chair.joystick_drive import QUIT, DrivePhase, GuidedDrive
 from app.hardware.chair.outputs import JOYSTICK_OUTPUTS, JoystickOutput, OutputRefused, open_output
 from app.hardware.chair.readings import NO_READINGS
 from app.hardware.chair.reasons import DESCRIPTIONS, Reason
-from app.hardware.chair.receive import STEP, CannotStart, ProgramParser, complain, up_to, why_of
+from app.hardware.chair.receive import STEP, CannotStart, ProgramParser, complain, host_and_port, up_to, why_of
+from app.hardware.chair.walker_page import WalkerMoment, WalkerPage
 from app.speed_ceiling import HIGHEST_SPEED, HIGHEST_TURN_RATE
 
 DESCRIPTION = "Drives the chair a few metres at a time, slowest first, and writes down which speed a deflection gives."
@@ -40,6 +41,16 @@ BEFORE = (
     "start.",
     "While it moves, ANY KEY ENDS IT.",
 )
+
+
+# For who walks beside the chair, by what the guided drive waits for: in big words, and what to do.
+BESIDE = {
+    DrivePhase.ASKS: ("IT STANDS", "Next: {drive}. Is the floor free? Then say so to who has the keys."),
+    DrivePhase.STANDS: ("IT MOVES NOW", "{drive}. A hand at its switch, and eyes on the way."),
+    DrivePhase.DRIVES: ("IT MOVES", "{drive}. Walk beside it. Press the stop watch at both marks."),
+    DrivePhase.COUNTS: ("IT STOPS", "Say metres and seconds between the marks; for a turn degrees and seconds."),
+    DrivePhase.ENDED: ("OVER", "Nothing drives any more."),
+}
 
 
 class Keys(Protocol):
@@ -88,13 +99,27 @@ class Terminal:
         return content.decode(errors="replace") if content else QUIT
 
 
+def moment_of(drive: GuidedDrive) -> WalkerMoment:
+    """Return what who walks beside the chair reads."""
+    now, todo = BESIDE[drive.phase]
+    return WalkerMoment(now, todo.format(drive=drive.next_drive))
+
+
 def guide(
-    drive: GuidedDrive, output: JoystickOutput, keys: Keys, inputs: Inputs, clock: Clock, tell: Callable[[str], None]
+    drive: GuidedDrive,
+    output: JoystickOutput,
+    keys: Keys,
+    inputs: Inputs,
+    clock: Clock,
+    tell: Callable[[str], None],
+    page: WalkerPage | None = None,
 ) -> None:
     """Step the guided drive every 10 ms until it has ended; the chair is let go then."""
     refusal = ""
     while True:
         t = clock.now()
+        if page is not None and page.take_stop():
+            drive.stop()
         readings = NO_READINGS
         obstacle = refusal
         try:
@@ -108,6 +133,8 @@ def guide(
             refusal = ""
         except OSError as error:
             refusal = f"Output: {why_of(error)}."
+        if page is not None:
+            page.moment = moment_of(drive)
         for sentence in drive.told:  # after the output, because a terminal may hold a line back
             tell(sentence)
         drive.told.clear()
@@ -124,12 +151,10 @@ def main(arguments: Sequence[str] | None = None, program: str = "python -m app.h
     """Measure until all is measured or the person ends it; return the exit code."""
     given = _parser(program).parse_args(arguments)
     try:
-        if given.out.exists():
-            raise CannotStart(f"there is a file {given.out} already: give --out another name")
-        if not given.out.parent.is_dir():
-            raise CannotStart(f"there is no folder {given.out.parent}: make it, or correct --out")
+        _check_out(given.out)
         terminal = Terminal(STDIN)
         output = cast(JoystickOutput, open_output(given.output, {"device": given.device, "key_file": given.key_file}))
+        page = _page_at(given.page, output)
     except (OutputRefused, CannotStart) as error:
         complain(f"{program}: {error}")
         return 2
@@ -138,12 +163,16 @@ def main(arguments: Sequence[str] | None = None, program: str = "python -m app.h
         signal.signal(which, lambda *_: drive.end())
     for sentence in BEFORE:
         _tell(sentence)
+    if page is not None:
+        _tell(f"For who walks beside the chair, big words and Stop: {page.address}")
     try:
-        guide(drive, output, terminal, Inputs(given.stop_input, None), MonotonicClock(), _tell)
+        guide(drive, output, terminal, Inputs(given.stop_input, None), MonotonicClock(), _tell, page)
     finally:
         with suppress(OSError):  # the output may be broken
             output.close()
         terminal.expect(any_key=False)
+        if page is not None:
+            page.close()
     document = drive.document
     if document is None:
         _tell("Not everything was measured, so nothing was written.")
@@ -151,6 +180,31 @@ def main(arguments: Sequence[str] | None = None, program: str = "python -m app.h
     if given.name:
         document["name"] = given.name
     return _write(given.out, document, program)
+
+
+def _check_out(out: Path) -> None:
+    """Raise CannotStart when a new file `out` cannot be made."""
+    try:
+        if out.exists():
+            raise CannotStart(f"there is a file {out} already: give --out another name")
+        if not out.parent.is_dir():
+            raise CannotStart(f"there is no folder {out.parent}: make it, or correct --out")
+    except (OSError, ValueError) as error:
+        why = why_of(error) if isinstance(error, OSError) else str(error)
+        raise CannotStart(f"--out {out} cannot be made ({why}): give another name") from error
+
+
+def _page_at(place: tuple[str, int] | None, output: JoystickOutput) -> WalkerPage | None:
+    """Return the page where it is asked for; release the output, which has driven nothing yet, when there is none."""
+    if place is None:
+        return None
+    try:
+        return WalkerPage(*place)
+    except (OSError, UnicodeError) as error:
+        with suppress(OSError):
+            output.close()
+        why = getattr(error, "strerror", None) or "no such host name"
+        raise CannotStart(f"no page on {place[0]}:{place[1]} ({why}), choose another --page") from error
 
 
 def _write(out: Path, document: dict[str, object], program: str) -> int:
@@ -185,6 +239,7 @@ def _parser(program: str) -> ProgramParser:
     add("--device", metavar="FILE", help="analog: the serial line, such as one in /dev/serial/by-id")
     add("--key-file", type=Path, metavar="FILE", help="analog: what pairing made")
     add("--stop-input", type=Path, metavar="FILE", help="begins with 0: not pressed; anything else, or none: pressed")
+    add("--page", type=host_and_port, metavar="HOST:PORT", help="a page with big words and Stop, in plain http")
     add(
         "--v-max",
         type=up_to(HIGHEST_SPEED),

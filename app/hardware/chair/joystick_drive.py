@@ -129,6 +129,11 @@ class GuidedDrive:
         return self.phase in (DrivePhase.STANDS, DrivePhase.DRIVES)
 
     @property
+    def next_drive(self) -> str:
+        """The drive that goes on or is next, in words."""
+        return f"{ANNOUNCED[self._axis]}, {self._percent} percent"
+
+    @property
     def document(self) -> dict[str, object] | None:
         """The chair document; None while a direction is not measured."""
         axes = self._axes.values()
@@ -146,6 +151,8 @@ class GuidedDrive:
 
         Parameters
         ----------
+        t : float
+            s, of a clock that is never set back.
         readings : ChairReadings
             What the chair reports.
         obstacle : str
@@ -183,6 +190,11 @@ class GuidedDrive:
             self._begin(line)
         elif self.phase is DrivePhase.COUNTS:
             self._count(line)
+
+    def stop(self) -> None:
+        """End the drive, or the wait before it; where the chair stands, nothing is begun and nothing changed."""
+        if self.is_moving:
+            self._break_off("Stop was pressed on the page.")
 
     def end(self) -> None:
         """End all; the chair is let go at the next step. A signal handler may call this in the midst of a step."""
@@ -279,7 +291,7 @@ class GuidedDrive:
 
     def _announce(self) -> None:
         self.told.append(
-            f"NEXT: {ANNOUNCED[self._axis]}, {self._percent} percent, at most {LONGEST:g} s. Is the floor free? "
+            f"NEXT: {self.next_drive}, at most {LONGEST:g} s. Is the floor free? "
             f"Press Enter to drive; {DONE} ends this direction, {QUIT} ends all."
         )
 

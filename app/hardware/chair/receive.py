@@ -302,7 +302,7 @@ def _parser(program: str) -> argparse.ArgumentParser:
         metavar="RAD_PER_S",
         help=f"at most {HIGHEST_TURN_RATE:g}",
     )
-    add("--paired", type=_host_and_port, metavar="HOST:PORT", help="where telemetry is sent at rest, too")
+    add("--paired", type=host_and_port, metavar="HOST:PORT", help="where telemetry is sent at rest, too")
     add("--stop-input", type=Path, metavar="FILE", help="begins with 0: not pressed; anything else, or none: pressed")
     add("--battery-input", type=Path, metavar="FILE", help="the charge, a number from 0 to 1")
     add("--check", action="store_true", help="move nothing, say what is found at the output, and end")
@@ -323,7 +323,8 @@ def _port(text: str) -> int:
     return int(text)
 
 
-def _host_and_port(text: str) -> tuple[str, int]:
+def host_and_port(text: str) -> tuple[str, int]:
+    """Read HOST:PORT, for an option of a parser."""
     host, _, port = text.rpartition(":")
     if not host or not _port(port):
         raise argparse.ArgumentTypeError(f"'{text}' is no address, give one as HOST:PORT")

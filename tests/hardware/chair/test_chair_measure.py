@@ -11,7 +11,7 @@ from hardware.chair.far_ends import Board, MemoryPort
 from app.geometry import Twist
 from app.hardware.chair import analog, chair_measure
 from app.hardware.chair.chair_document import joystick_table
-from app.hardware.chair.chair_measure import Terminal, _write, guide, main
+from app.hardware.chair.chair_measure import Terminal, _write, guide, main, moment_of
 from app.hardware.chair.inputs import Inputs
 from app.hardware.chair.joystick_drive import QUIT, DrivePhase, GuidedDrive
 from app.hardware.chair.key import new_key, write_key
@@ -52,12 +52,12 @@ def board_and_output(tmp_path, monkeypatch):
     return board, port, analog.AnalogBoard("/dev/far", file)
 
 
-def guided(output, results, inputs=None):
+def guided(output, results, inputs=None, page=None):
     clock, told = FakeClock(100.0), []
     drive = GuidedDrive(Twist(0.5, 0.8))
     keys = ScriptedKeys(clock, results)
     keys.drive = drive
-    guide(drive, output, keys, inputs or Inputs(None, None), clock, told.append)
+    guide(drive, output, keys, inputs or Inputs(None, None), clock, told.append, page)
     output.close()
     return drive, told
 
@@ -95,6 +95,88 @@ def test_a_pressed_switch_or_a_silent_board_lets_nothing_begin(board_and_output,
     with pytest.raises(KeyboardInterrupt):
         guided(output, [], Impatient(None, None))
     assert not any(flags for flags, *_ in board.commands)
+
+
+# What begins while the chair drives.
+FAULTS = {
+    "cable pulled": lambda _, port: setattr(port, "pulled", True),
+    "port hangs": lambda _, port: setattr(port, "hung", True),
+    "far end starts again": lambda board, _: board.reboot(),
+    "far end hangs": lambda board, _: setattr(board, "dead", True),
+    "error": lambda board, _: setattr(board, "state", 4),
+    "commands refused": lambda board, _: setattr(board, "secret", bytes(32)),
+}
+
+
+class KeysOfOneDrive:
+    """A person who begins one drive after 1 s; after 2 s something happens, and after 4 s the person quits."""
+
+    def __init__(self, clock, happens):
+        self.clock, self.happens = clock, happens
+        self.began, self.has_begun = clock.now(), False
+
+    def expect(self, *, any_key):
+        self.any_key = any_key
+
+    def read(self):
+        since = self.clock.now() - self.began
+        if self.happens is not None and since > 2.0:
+            self.happens()
+            self.happens, self.happened_at = None, self.clock.now()
+        if since > 4.0:
+            return QUIT
+        if since < 1.0 or self.has_begun:
+            return None
+        self.has_begun = True
+        return "\n"
+
+
+@pytest.mark.parametrize("fault", [*FAULTS, "switch", "page"])
+def test_whatever_happens_while_it_drives_the_joystick_is_let_go(board_and_output, tmp_path, fault):
+    board, port, output = board_and_output
+    switch, clock, told, page = tmp_path / "switch", FakeClock(100.0), [], PageInMemory()
+    switch.write_text("0")
+    happens = {"switch": lambda: switch.write_text("1"), "page": page.press}
+    drive, moved = GuidedDrive(Twist(0.5, 0.8)), []
+    keys = KeysOfOneDrive(clock, happens.get(fault) or (lambda: FAULTS[fault](board, port)))
+    sleep = clock.sleep_until
+
+    def sleep_and_look(deadline):
+        sleep(deadline)
+        board.watch(clock.now())
+        if board.deflection != (0, 0) or board.relay_closed:
+            moved.append(clock.now())
+
+    clock.sleep_until = sleep_and_look
+    guide(drive, output, keys, Inputs(switch, None), clock, told.append, page)
+    assert moved, "it drove"
+    assert moved[-1] - keys.happened_at < 0.2
+    assert any(sentence.startswith("ENDED.") for sentence in told), told
+    assert page.moment.now == "OVER"
+
+
+class PageInMemory:
+    """In place of the page."""
+
+    def __init__(self):
+        self.moment, self.pressed = None, False
+
+    def press(self):
+        self.pressed = True
+
+    def take_stop(self):
+        was_pressed, self.pressed = self.pressed, False
+        return was_pressed
+
+
+@pytest.mark.parametrize("phase", DrivePhase)
+def test_who_walks_beside_it_reads_what_it_waits_for(phase):
+    drive = GuidedDrive(Twist(0.5, 0.8))
+    drive.phase = phase
+    moment = moment_of(drive)
+    assert moment.now == moment.now.upper()
+    assert "{" not in moment.todo
+    assert "FORWARDS, 5 percent" in moment.todo or phase in (DrivePhase.COUNTS, DrivePhase.ENDED)
 
 
 def arrive(near):
@@ -154,6 +236,8 @@ def test_a_document_is_written_once_and_read_as_it_is(tmp_path, capsys):
         (("--output", "analog", "--out", "none/new.json"), "no folder"),
         (("--output", "analog", "--out", "new.json", "--name", "x" * 81), "too long"),
         (("--output", "analog", "--out", "new.json", "--v-max", "nan"), "out of range"),
+        (("--output", "analog", "--out", "x" * 300), "cannot be made"),
+        (("--output", "analog", "--out", "new.json", "--page", "here"), "no address"),
         (("--output", "analog", "--out", "new.json"), "terminal"),
     ],
 )

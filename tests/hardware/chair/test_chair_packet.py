@@ -29,7 +29,9 @@ KEY = Key(513, bytes(range(32)))
 NONCE = b"\xa0\xa1\xa2\xa3\xa4\xa5\xa6\xa7"
 DIGEST = b"\x01\x02\x03\x04\x05\x06\x07\x08"
 COMMAND = ChairCommand(5, 513, 0xDEADBEEF, 2**40 + 3, 123_456_789_012, 0.5, -1.25, 0.75, 1.5, DIGEST)
-TELEMETRY = Telemetry(2, 513, 0xDEADBEEF, 2**40 + 3, 987_654_321, NONCE, 0.5, -1.25, 0.875, 1, 4, 1, 1, 0.375, -1.5, DIGEST)
+TELEMETRY = Telemetry(
+    2, 513, 0xDEADBEEF, 2**40 + 3, 987_654_321, NONCE, 0.5, -1.25, 0.875, 1, 4, 1, 1, 0.375, -1.5, DIGEST
+)
 
 u8, u16, u32, u64 = (st.integers(0, 2**bits - 1) for bits in (8, 16, 32, 64))
 f32 = st.floats(width=32)

@@ -172,6 +172,24 @@ def test_a_speed_that_does_not_rise_is_driven_again_and_a_chair_that_never_moves
     assert standing.drive.document is None
 
 
+def test_stop_ends_a_drive_and_the_wait_before_it_and_begins_none():
+    session = Session()
+    session.step()
+    session.drive.stop()
+    assert (session.drive.phase, session.drive.told) == (DrivePhase.ASKS, [])
+    session.begin()
+    session.drive.stop()
+    assert session.step() == CENTRE
+    assert session.drive.phase is DrivePhase.ASKS
+    session.drive.hear("\n")
+    session.drive.stop()
+    assert set(session.run(2.0)) == {CENTRE}
+    session.begin()
+    session.drive.hear("x")
+    session.drive.stop()
+    assert session.drive.phase is DrivePhase.COUNTS, "what was measured can still be typed"
+
+
 def test_the_next_drive_is_not_expected_to_be_too_fast():
     rows = AxisRows(0.5, stood=5)
     for percent, speed, following in ((10, 0.1, 20), (20, 0.28, 30), (30, 0.36, 40), (40, 0.44, None)):
