@@ -107,6 +107,23 @@ class DriveParameters(Document):
         return hashlib.sha256(canonical.encode()).hexdigest()
 
 
+def arming_hash(parameters_hash: str, chair_document: str) -> str:
+    """Return the hash with which a chair is armed: of the parameter set, and of the chair's document where it has one.
+
+    Without a chair document it is that of the set, by which practice on the virtual chair is compared.
+
+    Parameters
+    ----------
+    parameters_hash : str
+        `DriveParameters.hash`.
+    chair_document : str
+        The hexadecimal digits of the chair document as the chair tells them; empty: it has none.
+    """
+    if not chair_document:
+        return parameters_hash
+    return hashlib.sha256(bytes.fromhex(parameters_hash) + bytes.fromhex(chair_document)).hexdigest()
+
+
 # The paper's vocabulary: joint -> control, for shirts with these joints.
 PAPER_VOCABULARY: dict[str, Control] = {
     "right_elbow": "u1+",

@@ -113,7 +113,7 @@ class RunFields(Document):
 
 
 class Arm(Document):
-    """Arm with the parameters, and the chair document, of this hash (`app.arming_hash`)."""
+    """Arm with the parameters, and the chair document, of this hash."""
 
     hash: Annotated[str, Field(pattern=r"^[0-9a-f]{64}$")]
 

@@ -3,9 +3,8 @@
 import math
 from typing import Protocol, cast
 
-from app.arming_hash import arming_hash
 from app.arrivals import Arrivals
-from app.calibration.vocabulary import DriveParameters
+from app.calibration.vocabulary import DriveParameters, arming_hash
 from app.clock import Clock
 from app.faults import State
 from app.geometry import STANDSTILL, wrap_angle

@@ -6,9 +6,8 @@ from typing import NamedTuple
 
 import numpy as np
 
-from app.arming_hash import arming_hash
 from app.calibration.own_movement import own_movement_refusal
-from app.calibration.vocabulary import DriveParameters
+from app.calibration.vocabulary import DriveParameters, arming_hash
 from app.refusals import Refusal
 from app.session.chair_messages import CHAIR_FAULT, fault_sentence, is_silent
 from app.session.control_link import ControlLink

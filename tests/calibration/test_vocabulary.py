@@ -1,9 +1,12 @@
+import hashlib
 import re
 
 import pytest
+from hypothesis import given
+from hypothesis import strategies as st
 from pydantic import ValidationError
 
-from app.calibration.vocabulary import DriveParameters, Gesture, standard_parameters
+from app.calibration.vocabulary import DriveParameters, Gesture, arming_hash, standard_parameters
 from building import make_profile
 
 
@@ -27,6 +30,13 @@ def test_a_joint_that_was_not_prompted_is_bound_only_when_none_was():
     one_skipped = profile.model_copy(update={"joints": (unknown[0], *profile.joints[1:])})
     assert bound(one_skipped) == {("u1-", ("left_elbow",)), ("u2+", ("right_shoulder",)), ("u2-", ("left_shoulder",))}
     assert bound(profile.model_copy(update={"joints": tuple(unknown)})) == bound(profile)
+
+
+@given(st.binary(min_size=32, max_size=32).map(bytes.hex), st.binary(min_size=8, max_size=8).map(bytes.hex))
+def test_a_chair_is_armed_with_the_hash_of_the_set_and_its_document(parameters, document):
+    assert arming_hash(parameters, "") == parameters
+    both = hashlib.sha256(bytes.fromhex(parameters + document)).hexdigest()
+    assert arming_hash(parameters, document) == both
 
 
 def test_the_hash_is_that_of_what_drives():

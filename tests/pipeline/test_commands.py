@@ -9,7 +9,6 @@ import numpy as np
 import pytest
 from hardware.shirt.camera_page import CHANNELS, message_of
 
-from app.arming_hash import arming_hash
 from app.arrivals import arrivals_from
 from app.calibration.vocabulary import Binding
 from app.disk_room import ROOM_TO_RECORD
@@ -346,30 +345,6 @@ def test_without_its_key_a_real_chair_is_not_armed_and_a_halted_drive_does_not_g
     control.done("end_run")
     assert control.setup.chain.gate.clear(1)
     assert control.refused("arm", hash=control.parameters.hash).startswith(words)
-
-
-def test_a_chair_is_armed_with_its_document_and_goes_on_with_no_other(control, chair, tmp_path):
-    control.live(0.1)
-    control.done("chair", config=chair.document)
-    control.done("run", run_id="r", folder=str(tmp_path / "r"), kind="drive", cues=[], meta={})
-
-    def hear(**changes):
-        control.live(0.01)
-        chair.commands()
-        chair.say(**changes)
-        control.live(0.01)
-
-    for changes in ({}, {"stop_input": 1, "state": 3}, {}):
-        hear(document=b"measured", **changes)
-    digits = b"measured".hex()
-    told = control.done("status")["chair"]
-    assert (told["document"], told["crawls"]) == (digits, False)
-    assert "changed meanwhile" in control.refused("arm", hash=control.parameters.hash)
-    control.done("arm", hash=arming_hash(control.parameters.hash, digits))
-    control.done("stop", by="tablet")
-    hear(document=b"another!")
-    assert "changed meanwhile" in control.refused("clear", stops=1)
-    control.setup.close()
 
 
 def change_key(file, how):

@@ -27,6 +27,7 @@ EXCEPTIONS: dict[str, tuple[str, ...]] = {
         "app.hardware.chair.joystick_drive",
         "app.hardware.chair.telemetry",
         "app.hardware.chair.telemetry_sender",
+        "app.hardware.chair.walker_page",
         "app.hardware.shirt.brainflow_library",
         "app.hardware.shirt.lsl_reception",
         "app.hardware.shirt.orientation_sensors.bluetooth_links",

@@ -4,7 +4,7 @@ from typing import Any
 
 from api.fake_clinic import WHERE, WORD, Clinic, arm, sentence_of
 
-from app.arming_hash import arming_hash
+from app.calibration.vocabulary import arming_hash
 from app.hardware.chair.reasons import DESCRIPTIONS, Reason
 from app.hardware.shirt.kind import NO_KEY
 from app.session.equipment.shirt import Equipment
