@@ -171,9 +171,7 @@ class ChairLink:
 
     @property
     def ready(self) -> bool:
-        """Whether the chair has accepted the current arming, has the document that it was armed with, and has got
-        commands without a pause since.
-        """
+        """Whether the chair accepted this arming, and since has had its document and commands without a pause."""
         return self.telemetry.ready and not self._stalled and self.document == self._armed_document
 
     @property
