@@ -44,6 +44,14 @@ def in_state(state: State) -> Open:
     return lambda _, clinic: setattr(clinic.process, "state", state)
 
 
+def without_document(page: Any, clinic: EyesClinic) -> None:
+    """Open the page that arms a chair which misses its chair document."""
+    process = clinic.process
+    process.crawls = True
+    clinic.when_left.append(lambda: setattr(process, "crawls", False))
+    steps(chair_page, shows(".crawls"))(page, clinic)
+
+
 def driven(state: State) -> Open:
     """Return what opens the panel of a chair that is armed."""
     fields = {"drive": DRIVE, "chair": CHAIR, "v": 0.31, "omega": -0.2}
@@ -122,6 +130,7 @@ def screen_out_of_reach(page: Any, clinic: EyesClinic) -> None:
 FULL_DISK = {"message": "The disk is nearly full: 1.2 GB are free.", "free": 1_200_000_000}
 
 LIVE_PLACES: dict[str, Open] = {
+    "chair, without its document": without_document,
     "chair, checking": driven(State.CHECKING),
     "chair, driven": driven(State.ARMED),
     "chair, stopped": driven_and_stopped(Fault.STOP_TABLET),
