@@ -46,6 +46,7 @@ const TRIES = 5;
 const ENDED = "The program has ended, or the network is gone. Use the chair's own switch, or a key at the program.";
 let heard = performance.now();
 let isStopping = false;
+let lost = "NO ANSWER";
 
 function show(title, sentence) {
   if (now.textContent !== title) now.textContent = title;
@@ -57,11 +58,12 @@ async function look() {
     const answer = await fetch("state", { signal: AbortSignal.timeout(1000) });
     const state = await answer.json();
     heard = performance.now();
+    lost = "NO ANSWER";
     if (!isStopping) show(state.now, state.todo);
   } catch {
     // it is said below, when that lasts
   }
-  if (performance.now() - heard > 1500 && !isStopping) show("NO ANSWER", ENDED);
+  if (performance.now() - heard > 1500 && !isStopping) show(lost, ENDED);
   setTimeout(look, 250);
 }
 
@@ -82,7 +84,8 @@ async function press() {
   }
   isStopping = false;
   heard = -Infinity;
-  show("STOP DID NOT ARRIVE", "Use the chair's own switch, or a key at the program.");
+  lost = "STOP DID NOT ARRIVE";
+  show(lost, ENDED);
 }
 
 stop.addEventListener("pointerdown", press);
