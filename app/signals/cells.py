@@ -6,14 +6,18 @@ from typing import Final
 MISSING: Final = frozenset(
     (
         *("", "nan", "-nan", "na", "n/a", "n.a.", "nd", "n.d.", "nil", "nat", "null", "none", "missing", "undefined"),
-        *("<na>", "(null)", "?", ".", "-", "--", "---"),
+        *("<na>", "(null)", r"\n", "?", ".", "-", "--", "---"),
+        *("n/d", "s/d", "n.v.", "k.a."),  # Spanish, German
         *("nan(ind)", "-nan(ind)", "1.#qnan", "-1.#qnan", "1.#ind", "-1.#ind"),  # what programs in C write
+        *("1.#inf", "-1.#inf"),
         *("#n/a", "#na", "#div/0!", "#value!", "#num!", "#ref!", "#name?", "#null!"),  # spreadsheets, English
+        *("#error!", "#spill!", "#calc!"),
         *("#nv", "#wert!", "#zahl!", "#bezug!"),  # German
         *("#n/d", "#¡div/0!", "#¡valor!", "#¡num!", "#¡ref!", "#¿nombre?", "#¡nulo!"),  # Spanish
     )
 )  # in lower case
 ERROR: Final = "err:"  # of LibreOffice, with a number
+TOO_NARROW: Final = "#"  # a spreadsheet fills a column with it that is too narrow for a number
 SPELLINGS: Final = sorted(
     {"NaN", "NaT"} | {spelt for each in MISSING for spelt in (each, each.upper(), each.capitalize())}
 )
@@ -32,7 +36,7 @@ MOMENT: Final = re.compile(f"(?:(?:{YEAR_FIRST}|{DAY_FIRST}|{SLASHES})(?:[tT_]|,
 def is_missing(cell: str) -> bool:
     """Return whether a cell is empty, or holds a word that stands for a missing number."""
     text = cell.strip().lower()
-    return text in MISSING or text.startswith(ERROR)
+    return text in MISSING or text.startswith(ERROR) or not text.strip(TOO_NARROW)
 
 
 def is_number(cell: str, decimal: str) -> bool:
