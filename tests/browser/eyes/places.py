@@ -29,6 +29,7 @@ from browser.eyes.states.calibrate_places import CALIBRATE_PLACES, calibration_a
 from browser.eyes.states.chair_places import chair_page, no_chair, paired_chair
 from browser.eyes.states.course_places import COURSE_PLACES
 from browser.eyes.states.empty_places import EMPTY_PLACES
+from browser.eyes.states.import_places import IMPORT_PLACES
 from browser.eyes.states.live_places import LIVE_PLACES
 from browser.eyes.states.role_places import ROLE_PLACES
 from browser.eyes.states.session_places import (
@@ -131,6 +132,7 @@ PLACES: dict[str, Open] = {
     "shirt, lamp": picked_lamp,
     "shirt, open": opened("shirt"),
     "shirt, same name": same_name,
+    **IMPORT_PLACES,
     "calibrate": opened("calibrate"),
     "calibrate, runs": steps(at("calibrate", "Start"), pauses(300)),
     "calibrate, result": steps(

@@ -11,10 +11,14 @@ const STEPS = /** @type {const} */ (["patients", "shirt", "calibrate", "controls
 const RAIL = /** @type {const} */ ([...STEPS, "settings"]);
 const FOR_REVIEWERS = ["patients", "review", "settings"]; // who looks, and changes nothing
 /** @type {Record<string, string>} pages without a step of their own, and the step that they belong to */
-const BELOW = { interface_test: "drive", attention: "review" };
+const BELOW = { import_recording: "shirt", interface_test: "drive", attention: "review" };
 const IN_SETTINGS = ["plans", "people", "log", "computer", "backup"]; // opened from there: the rail marks the settings
 /** @type {string[]} */
-export const PAGES = [...RAIL, "attention", "session", "adapt", "interface_test", ...IN_SETTINGS]; // those that have an address of their own
+export const PAGES = [
+  ...RAIL, // and the others that have an address of their own
+  ...["import_recording", "attention", "session", "adapt", "interface_test"],
+  ...IN_SETTINGS,
+];
 
 /**
  * How many steps of the open session are done, up to the first that is not: a step behind one that has to be done
