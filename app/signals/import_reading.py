@@ -4,7 +4,7 @@ The Parquet file is a recording of this program: `t` in seconds, and columns JOI
 and the name that the column had.
 """
 
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from pathlib import Path
 from typing import Any, Final, TypedDict
 
@@ -39,7 +39,7 @@ def answer(question: ImportQuestion) -> dict[str, object]:
     chosen = {channel.column: channel.joint for channel in options.channels or ()}
     reading = ReadingOptions(options.time, options.unit, options.rate, tuple(chosen) or None, options.part)
     found = overview(Path(question["file"]), None, reading)
-    candidates = [column.name for column in found.columns if _can_be_channel(column)]
+    candidates = _candidates(found.columns)
     joints = {**proposed_joints(candidates), **chosen}
     if question["out"]:
         if found.signals is None:
@@ -48,8 +48,14 @@ def answer(question: ImportQuestion) -> dict[str, object]:
     return _document(found, joints)
 
 
-def _can_be_channel(column: ColumnOverview) -> bool:
-    return column.role in WITH_NUMBERS
+def _candidates(columns: Sequence[ColumnOverview]) -> list[str]:
+    """Return the columns that can be channels: those of numbers, where the file could be read as a whole."""
+    are_known = any(column.missing is not None for column in columns)
+    return [
+        column.name
+        for column in columns
+        if column.role in WITH_NUMBERS and (column.missing is not None or not are_known)
+    ]
 
 
 def _document(found: FileOverview, joints: Mapping[str, str]) -> dict[str, object]:

@@ -158,6 +158,9 @@ def _sampling_times(table: FileTable, time: TimeColumn | None, rate: float | Non
             rate = table.rate
     rate = rate or table.rate
     assert rate is not None  # else there would be a time
+    if not SLOWEST <= rate <= FASTEST:
+        limits = {"slowest": SLOWEST, "fastest": FASTEST}
+        raise ValueError(Text("signals-rate-beyond", file=table.places.file, rate=rate, **limits))
     if time is not None and not _agree(time.t, rate):
         span = float(time.t[-1] - time.t[0])
         found = float(f"{(count - 1) / span:.4g}") if span > 0 else 0.0

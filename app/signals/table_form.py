@@ -26,7 +26,6 @@ from app.signals.csv_dialect import (
 from app.signals.foreign.recording import unique_names
 from app.signals.logged_lines import LogForm, log_form, plain_text
 from app.signals.row_places import RowPlaces
-from app.signals.sampling_times import FASTEST
 from app.signals.table_header import TIME, Line, header_of, stated_rate
 from app.signals.time_columns import FIRST, LAST
 from app.signals.time_groups import time_groups
@@ -162,9 +161,9 @@ def _start_of(rows: Sequence[Line], first: int, dialect: Dialect) -> TableStart:
     if at_top and len(filled) > 1 and filled == [str(number) for number in range(len(filled))]:
         return TableStart(first + 1, top, None)
     begin, rate = number_of(top[0], dialect.decimal), number_of(second[0], dialect.decimal)
-    if at_top and begin is not None and rate is not None and len({*top}) == len({*second}) == 1:
-        if FIRST <= begin < LAST and 1.0 <= rate <= FASTEST:
-            return TableStart(2, [], rate)
+    are_alike = len({*top}) == len({*second}) == 1
+    if at_top and are_alike and begin is not None and rate is not None and FIRST <= begin < LAST and rate > 0:
+        return TableStart(2, [], rate)
     return TableStart(first, [], None)
 
 

@@ -7,6 +7,7 @@ Usually one line has the names. Others write them in several lines (a marker ove
 import json
 import re
 from collections.abc import Iterable, Iterator, Sequence
+from itertools import pairwise
 from typing import Final, NamedTuple
 
 from app.signals.cells import is_like_a_number, is_moment, number_of
@@ -45,6 +46,12 @@ OTHER_RATES: Final = re.compile(
 )
 NEAR: Final = 16  # letters in front of a rate that say which one it is
 BLOCKS: Final = frozenset(("trajectories", "devices", "model outputs", "joints", "segments"))  # of Vicon Nexus
+OF_COLUMNS: Final = frozenset(
+    (
+        *("min", "max", "minimum", "maximum", "mean", "average", "std", "sd", "offset", "gain", "scale", "slope"),
+        *("mittelwert", "media", "promedio"),
+    )
+)
 AROUND: Final = ",;\t \"'"  # signs around what stands alone in a line
 
 
@@ -68,9 +75,15 @@ def header_of(above: Sequence[Line], separator: str, width: int, filled: int) ->
 
     `filled` is the number of cells without an empty last one.
     """
-    lines = [line for line in reversed(above) if re.search(r"\w", line.text)]
+    lines = [line for line in reversed(above) if re.search(r"\w", line.text) and not _sums_up(line.text, separator)]
     plain = _plain_header(lines[:MOST_ABOVE], separator, width)
     return plain if plain.names else _keyed_header(lines, separator, filled)
+
+
+def _sums_up(text: str, separator: str) -> bool:
+    """Return whether a line has a number for each column below the names: the least one, a gain."""
+    first, *others = [cell for cell in cells_of(text, separator) if cell] or [""]
+    return first.casefold().rstrip(":") in OF_COLUMNS and bool(others) and all(map(is_like_a_number, others))
 
 
 def stated_rate(above: Iterable[str]) -> float | None:
@@ -101,7 +114,7 @@ def _by_periods(lines: Iterable[str]) -> Iterator[float]:
 def _of_blocks(lines: Sequence[str]) -> Iterator[float]:
     """Yield numbers that stand alone in the line below the name of a block of Vicon Nexus."""
     bare = [text.strip(AROUND) for text in lines]
-    for before, text in zip(bare, bare[1:], strict=False):
+    for before, text in pairwise(bare):
         rate = number_of(text, ".") if before in BLOCKS else None
         if rate is not None:
             yield rate

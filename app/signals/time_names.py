@@ -28,8 +28,8 @@ TIME_WORDS: Final = (
 )
 COUNTER_WORDS: Final = frozenset(
     (
-        *("index", "sample", "samples", "frame", "packet", "counter", "count", "seq", "sequence", "row", "number", "nr"),
-        *("item", "id", "zeile", "bild", "fila", "cuadro"),
+        *("index", "sample", "samples", "frame", "packet", "counter", "count", "seq", "sequence", "row", "number"),
+        *("nr", "item", "id", "zeile", "bild", "fila", "cuadro"),
     )
 )
 NO_UNITS: Final = frozenset(("", "1", "-", "none", "n/a", "raw", "count", "counts", "unit", "units", "a.u.", "au"))

@@ -116,7 +116,8 @@ FILES = {
         "ms",
     ),
     "Motive": File(
-        "Format Version,1.23,Take Name,T,Capture Frame Rate,50.000000\n\n,,Rigid Body,Rigid Body,Rigid Body,Rigid Body\n"
+        "Format Version,1.23,Take Name,T,Capture Frame Rate,50.000000\n\n"
+        ",,Rigid Body,Rigid Body,Rigid Body,Rigid Body\n"
         ',,hand,hand,head,head\n,,"8C4F01AA","8C4F01AA","91D2B7E0","91D2B7E0"\n'
         ",,Rotation,Position,Rotation,Position\nFrame,Time (Seconds),X,X,X,X\n" + rows("{i},{t:.6f},{a},{b},{a},{b}"),
         "Time (Seconds)",
@@ -144,7 +145,8 @@ FILES = {
         name="walk.tsv",
     ),
     "STO of OpenSim": File(
-        "Results\nversion=1\nnRows=240\nnColumns=3\ninDegrees=no\nendheader\ntime\t/joint/elbow/value\t/joint/wrist/value\n"
+        "Results\nversion=1\nnRows=240\nnColumns=3\ninDegrees=no\nendheader\n"
+        "time\t/joint/elbow/value\t/joint/wrist/value\n"
         + rows("{t:.6f}\t{a}\t{b}"),
         "time",
         ("/joint/elbow/value", "/joint/wrist/value"),

@@ -110,7 +110,7 @@ def test_a_recording_of_bids_motion_comes_with_what_describes_it(signed_in: Any)
 @pytest.mark.parametrize(
     ("files", "options", "words"),
     [
-        ([("arm.csv", b"\x89PNG\r\n\x1a\n\x00\x00\xff\xfe")], {}, "arm.csv: this is not a CSV file but something binary"),
+        ([("arm.csv", b"\x89PNG\r\n\x1a\n\x00\x00\xff\xfe")], {}, "arm.csv: this is not a CSV file but something"),
         ([("arm.csv", "Dear Sir,\nI have no signals.\n")], {}, "arm.csv: there is no table of numbers"),
         ([("arm.csv", b"")], {}, "'arm.csv' is empty"),
         ([("a.csv", GERMAN), ("b.csv", GERMAN)], {}, "One recording is imported at a time"),

@@ -138,6 +138,7 @@ signals-time-wraps =
 signals-rate-needed = { $file }: ohne eine Spalte mit Zeiten ist die Abtastrate unbekannt; geben Sie sie in Hz an
 # rate: given by a person.
 signals-rate-set = Die Abtastwerte gelten als gleichmäßig, mit { $rate } Hz.
+signals-rate-beyond = { $file }: ihre Abtastrate ist { $rate } Hz; nehmen Sie mit { $slowest } bis { $fastest } Hz auf
 # found: the sample rate by the column.
 signals-rate-wrong = { $file }: als Abtastrate ist { $rate } Hz angegeben, nach der Spalte „{ $column }“ sind es { $found } Hz; geben Sie diese an, oder nennen Sie die Einheit der Spalte
 signals-time-large = { $file }: { $column } geht von { $first } bis { $last }; geben Sie die Zeit in Sekunden an

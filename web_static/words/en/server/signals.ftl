@@ -138,6 +138,7 @@ signals-time-wraps =
 signals-rate-needed = { $file }: without a column of times its sample rate is unknown, give it in Hz
 # rate: given by a person.
 signals-rate-set = The samples count as even, at { $rate } Hz.
+signals-rate-beyond = { $file }: its sample rate is { $rate } Hz, record at { $slowest } to { $fastest } Hz
 # found: the sample rate by the column.
 signals-rate-wrong = { $file }: the sample rate is given as { $rate } Hz, but by the column '{ $column }' it is { $found } Hz, give that one, or name the unit of the column
 signals-time-large = { $file }: { $column } goes from { $first } to { $last }, give the time in seconds

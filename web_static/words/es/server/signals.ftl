@@ -138,6 +138,7 @@ signals-time-wraps =
 signals-rate-needed = { $file }: sin una columna de tiempos no se conoce la frecuencia de muestreo, indíquela en Hz
 # rate: given by a person.
 signals-rate-set = Las muestras cuentan como uniformes, a { $rate } Hz.
+signals-rate-beyond = { $file }: su frecuencia de muestreo es de { $rate } Hz, grabe entre { $slowest } y { $fastest } Hz
 # found: the sample rate by the column.
 signals-rate-wrong = { $file }: la frecuencia de muestreo se indicó como { $rate } Hz, pero según la columna “{ $column }” es de { $found } Hz, indique esa o la unidad de la columna
 signals-time-large = { $file }: { $column } va de { $first } a { $last }, indique el tiempo en segundos
