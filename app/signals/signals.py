@@ -187,6 +187,7 @@ def _chosen_columns(
     """Return the column of each channel that has one, None for all columns; `times` can be the time."""
     names = [name for name in named.names if name not in times]
     if options.channels is not None:
+        names = [name for name in named.names if name != options.time]  # a person may know that one is no time
         if missing := [name for name in options.channels if name not in names]:
             raise ValueError(Text("signals-column-missing", file=str(path), column=missing[0], names=listed(names)))
         if layout is None:
