@@ -35,6 +35,7 @@ from app.texts import Text
 HEAD: Final = 200_000  # bytes of a file by which its form is found
 SAMPLE: Final = 80  # lines at the end of the head
 FOLLOWING: Final = 6  # rows of which half must be like the first one
+SURELY_NAMES: Final = 5  # numbers that count from 0 in the first line: fewer can be a row, as of a path
 MOST_COUNTED: Final = 10**8  # samples, as a line below the header counts them (AcqKnowledge)
 
 Kind = Literal["number", "moment", "text", "empty"]
@@ -158,7 +159,8 @@ def _start_of(rows: Sequence[Line], first: int, dialect: Dialect) -> TableStart:
     filled = [cell for cell in top if cell]
     if not top[0] and len(set(filled)) == 1 and filled[0].isdecimal() and FOLLOWING <= int(filled[0]) <= MOST_COUNTED:
         return TableStart(first + 1, [], None)
-    if at_top and len(filled) > 1 and filled == [str(number) for number in range(len(filled))]:
+    is_counted = filled == [str(number) for number in range(len(filled))]
+    if at_top and is_counted and (not top[0] or len(filled) >= SURELY_NAMES):
         return TableStart(first + 1, top, None)
     begin, rate = number_of(top[0], dialect.decimal), number_of(second[0], dialect.decimal)
     are_alike = len({*top}) == len({*second}) == 1
