@@ -6073,7 +6073,7 @@ export interface components {
         };
         ComparedTests: {
             /** @enum {string} */
-            source: "worn" | "simulated" | "unknown";
+            source: "worn" | "camera" | "phones" | "slimevr" | "lsl" | "simulated" | "unknown";
             complete: [
                 number,
                 number
@@ -6716,7 +6716,7 @@ export interface components {
         };
         InterfaceTestsView: {
             tests: components["schemas"]["InterfaceTestView"][];
-            source: ("worn" | "simulated" | "unknown") | null;
+            source: ("worn" | "camera" | "phones" | "slimevr" | "lsl" | "simulated" | "unknown") | null;
             course: components["schemas"]["InterfaceCourse"];
         };
         InterfaceVerdicts: {
@@ -6839,7 +6839,7 @@ export interface components {
         };
         LearningView: {
             /** @enum {string} */
-            source: "worn" | "simulated" | "unknown";
+            source: "worn" | "camera" | "phones" | "slimevr" | "lsl" | "simulated" | "unknown";
             others: {
                 [key: string]: number;
             };
@@ -7560,7 +7560,7 @@ export interface components {
             kind: "phones";
             /** @default 50 */
             sample_rate?: number;
-            /** @default false */
+            /** @default true */
             from_neighbour?: boolean;
             /** Format: tracker */
             trunk?: string | null;
@@ -7684,7 +7684,7 @@ export interface components {
         };
         QualityView: {
             /** @enum {string} */
-            source: "worn" | "simulated" | "unknown";
+            source: "worn" | "camera" | "phones" | "slimevr" | "lsl" | "simulated" | "unknown";
             trials: components["schemas"]["QualityRow"][];
             labels: {
                 [key: string]: string;
@@ -8087,7 +8087,7 @@ export interface components {
             kind: "slimevr";
             /** @default 50 */
             sample_rate?: number;
-            /** @default false */
+            /** @default true */
             from_neighbour?: boolean;
             /** Format: tracker */
             trunk?: string | null;
@@ -8134,6 +8134,8 @@ export interface components {
             chair: string;
             simulated: boolean | null;
             description: string;
+            /** @enum {string} */
+            group: "worn" | "camera" | "phones" | "slimevr" | "lsl" | "simulated" | "unknown";
         };
         Speeds: {
             /** @default 0.8 */
@@ -8241,7 +8243,7 @@ export interface components {
             path: string;
             path_title: string;
             /** @enum {string} */
-            source: "worn" | "simulated" | "unknown";
+            source: "worn" | "camera" | "phones" | "slimevr" | "lsl" | "simulated" | "unknown";
             trials: [
                 number,
                 number
@@ -8259,7 +8261,7 @@ export interface components {
             path_name: string;
             path_title: string;
             /** @enum {string} */
-            source: "worn" | "simulated" | "unknown";
+            source: "worn" | "camera" | "phones" | "slimevr" | "lsl" | "simulated" | "unknown";
             trials: {
                 [key: string]: unknown;
             }[];

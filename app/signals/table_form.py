@@ -13,7 +13,6 @@ from typing import Final, Literal, NamedTuple
 from app.signals.cells import is_like_a_number, is_missing, is_moment, is_number, number_of
 from app.signals.column_names import bare_names
 from app.signals.csv_dialect import (
-    BLANKS,
     SEPARATORS,
     UTF_8,
     Dialect,

@@ -146,8 +146,7 @@ FILES = {
     ),
     "STO of OpenSim": File(
         "Results\nversion=1\nnRows=240\nnColumns=3\ninDegrees=no\nendheader\n"
-        "time\t/joint/elbow/value\t/joint/wrist/value\n"
-        + rows("{t:.6f}\t{a}\t{b}"),
+        "time\t/joint/elbow/value\t/joint/wrist/value\n" + rows("{t:.6f}\t{a}\t{b}"),
         "time",
         ("/joint/elbow/value", "/joint/wrist/value"),
         name="walk.sto",
@@ -233,8 +232,7 @@ FILES = {
     "pandas, no names": File(",0,1,2\n" + rows("{i},{t:.2f},{a},{b}"), "0", ("1", "2")),
     "units in words": File("t,A,B\nseconds,volts,volts\n" + rows("{t:.2f},{a},{b}"), "t", ("A", "B")),
     "Excel, German": File(
-        "Datum;Uhrzeit;Kanal A [mV];Kanal B\n"
-        + rows("26#01#2024;{clock};{a};{b}").replace(".", ",").replace("#", "."),
+        "Datum;Uhrzeit;Kanal A [mV];Kanal B\n" + rows("26#01#2024;{clock};{a};{b}").replace(".", ",").replace("#", "."),
         "Uhrzeit",
         ("Kanal A [mV]", "Kanal B"),
     ),

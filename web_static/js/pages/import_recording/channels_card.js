@@ -38,11 +38,7 @@ export function ChannelsCard({ store, overview: { columns, joints } }) {
             h(
               "tr",
               { key: name },
-              h(
-                "td",
-                {},
-                h(Toggle, { label: name, on: chosen.has(name), onChange: (isIn) => setChannel(name, isIn) }),
-              ),
+              h("td", {}, h(Toggle, { label: name, on: chosen.has(name), onChange: (isIn) => setChannel(name, isIn) })),
               h("td", {}, unit),
               h("td", { class: "number" }, rangeWords(least, most)),
               h("td", { class: "number" }, percent(missing)),
