@@ -50,7 +50,7 @@ def upload(clinic: Any, name: str, content: bytes) -> Any:
 
 def test_files_are_taken_in_by_type_and_content(signed_in: Any) -> None:
     assert upload(signed_in, "run.exe", b"t,a\n0,1\n").status_code == 415
-    for name, content in (("run.csv", b""), ("run.csv", b"time,a\n0,1\n"), ("run.parquet", b"PAR1 nothing PAR1")):
+    for name, content in (("run.csv", b""), ("run.csv", b"a,b\n0,1\n"), ("run.parquet", b"PAR1 nothing PAR1")):
         assert upload(signed_in, name, content).status_code == 422
     assert signed_in.good("GET", "/equipment")["files"] == []
     assert upload(signed_in, "../walk.csv", b"t,a,b\n0,1,2\n").status_code == 201

@@ -147,7 +147,7 @@ def test_a_bag_of_ros_is_read(tmp_path):
     with importlib.import_module("rosbags.rosbag2").Writer(tmp_path / "drive", version=9) as writer:
         connection = writer.add_connection("/place", point.__msgtype__, typestore=store)
         for t, (x, y) in zip(T, PLACES, strict=True):
-            stamp = store.types["builtin_interfaces/msg/Time"](sec=int(EPOCH + t), nanosec=int((t % 1) * 1e9))
+            stamp = store.types["builtin_interfaces/msg/Time"](sec=int(EPOCH) + int(t), nanosec=round(1e9 * (t % 1.0)))
             header = store.types["std_msgs/msg/Header"](stamp=stamp, frame_id="map")
             message = point(header=header, point=store.types["geometry_msgs/msg/Point"](x=x, y=y, z=0.0))
             writer.write(connection, int((EPOCH + t) * 1e9), store.serialize_cdr(message, point.__msgtype__))
