@@ -29,8 +29,8 @@ from browser.eyes.states.calibrate_places import CALIBRATE_PLACES, calibration_a
 from browser.eyes.states.chair_places import chair_page, no_chair, paired_chair
 from browser.eyes.states.course_places import COURSE_PLACES
 from browser.eyes.states.empty_places import EMPTY_PLACES
-from browser.eyes.states.import_places import IMPORT_PLACES
 from browser.eyes.states.live_places import LIVE_PLACES
+from browser.eyes.states.recording_places import IMPORT_PLACES
 from browser.eyes.states.role_places import ROLE_PLACES
 from browser.eyes.states.session_places import (
     ARCHIVE_PLACES,
@@ -132,7 +132,6 @@ PLACES: dict[str, Open] = {
     "shirt, lamp": picked_lamp,
     "shirt, open": opened("shirt"),
     "shirt, same name": same_name,
-    **IMPORT_PLACES,
     "calibrate": opened("calibrate"),
     "calibrate, runs": steps(at("calibrate", "Start"), pauses(300)),
     "calibrate, result": steps(
@@ -195,6 +194,7 @@ PLACES: dict[str, Open] = {
     "no connection": no_connection,
     **ARCHIVE_PLACES,
     **EMPTY_PLACES,
+    **IMPORT_PLACES,
     **ASKED_PLACES,
     **CALIBRATE_PLACES,
     **LIVE_PLACES,

@@ -11,10 +11,6 @@ const LINES = {
     quiet: "M82 10 54 24l10 24 12-5v47h48V43l12 5 10-24-28-14c-4 8-10 11-18 11s-14-3-18-11Z",
     main: "M86 40h.1M100 36h.1M114 40h.1M88 54h.1M112 54h.1M90 70h.1M110 70h.1M70 32h.1M130 32h.1",
   },
-  import_recording: {
-    quiet: "M30 12h46l18 18v58H30ZM76 12v18h18M40 42h42M40 54h42M40 66h26",
-    main: "M104 50h28M122 40l10 10-10 10M142 50h6l6-20 8 40 6-28 4 8h8",
-  },
   calibrate: {
     quiet: "M20 88h160M28 88v-6M60 88v-6M92 88v-6M124 88v-6M156 88v-6",
     main: "M100 72a28 28 0 1 0 0-56 28 28 0 0 0 0 56ZM100 16v28l18 12",
@@ -60,6 +56,10 @@ const LINES = {
   interface_test: {
     quiet: "M30 50h140M100 8v84",
     main: "M148 38a12 12 0 1 0 0 24 12 12 0 0 0 0-24ZM100 50c14-10 22 8 34 0M100 46a4 4 0 1 0 0 8 4 4 0 0 0 0-8Z",
+  },
+  import_recording: {
+    quiet: "M30 12h46l18 18v58H30ZM76 12v18h18M40 42h42M40 54h42M40 66h26",
+    main: "M104 50h28M122 40l10 10-10 10M142 50h6l6-20 8 40 6-28 4 8h8",
   },
   people: {
     quiet:
