@@ -28,7 +28,7 @@ class ImportQuestion(TypedDict):
 
 
 def answer(question: ImportQuestion) -> dict[str, object]:
-    """Return what a file holds, and write its signals where a place is given.
+    """Return what a file holds as `recording`, and write its signals where a place is given.
 
     Raises
     ------
@@ -45,7 +45,7 @@ def answer(question: ImportQuestion) -> dict[str, object]:
         if found.signals is None:
             raise ValueError(found.problem)
         _write(Path(question["out"]), found, found.signals, joints)
-    return _document(found, joints)
+    return {"recording": _document(found, joints)}
 
 
 def _candidates(columns: Sequence[ColumnOverview]) -> list[str]:

@@ -197,7 +197,8 @@ def _written(folder: Path, files: Sequence[UploadFile]) -> Upload:
 def _read(upload: Upload, options: ImportOptions, out: str) -> dict[str, Any]:
     """Return what the reader of foreign files says of a recording; it writes the signals to `out`, unless empty."""
     question = {"file": str(upload.file), "options": options.model_dump(mode="json"), "out": out}
-    return read_or_refuse(READER, question, [f"{upload.folder}/"])
+    recording: dict[str, Any] = read_or_refuse(READER, question, [f"{upload.folder}/"])["recording"]
+    return recording
 
 
 def _overview(upload: Upload, read: dict[str, Any]) -> RecordingOverview:
