@@ -21,7 +21,7 @@ from app.quantities import Document
 from app.sentences import one_sentence
 from app.signals.bids_motion import CHANNELS, SIDECAR
 from app.signals.import_options import ImportOptions, TimeUnit
-from app.signals.joint_names import joint_label
+from app.signals.joint_names import WHOLE_BODY, joint_label
 from app.signals.overview import Role
 from app.store.database import Database
 from app.store.files.name_conflicts import SameName, log_details
@@ -31,6 +31,7 @@ from app.texts import Text, from_document
 
 READER: Final = "app.signals.import_reading"
 WHERE: Final = Text("api-the-import")
+WHOLE: Final = Text("api-joint-body")
 BESIDE: Final = (CHANNELS, SIDECAR)  # ends of the names of files that lie beside a recording
 LONGEST_NAME: Final = 200  # letters: the files beside a recording have the beginning of its name
 ENDING: Final = ".parquet"
@@ -214,11 +215,13 @@ def _overview(upload: Upload, read: dict[str, Any]) -> RecordingOverview:
         "problem": whole_sentence(problem) if problem else "",
     }
     joints = [*USUAL_JOINTS, *(column["joint"] for column in read["columns"] if column["joint"])]
-    choices = [
-        JointChoice(name=name, label=str(joint_title(Joint(name=name, label=joint_label(name)))))
-        for name in dict.fromkeys(joints)
-    ]
+    choices = [JointChoice(name=name, label=str(_title_of(name))) for name in dict.fromkeys(joints)]
     return RecordingOverview.model_validate({**read, **texts, "name": upload.stored_name, "joints": choices})
+
+
+def _title_of(joint: str) -> Text | str:
+    """Return what people call a joint that a channel can be of."""
+    return WHOLE if joint == WHOLE_BODY else joint_title(Joint(name=joint, label=joint_label(joint)))
 
 
 def _note(database: Database, person: str, name: str, size: int, same_name: SameName) -> None:

@@ -42,7 +42,7 @@ def test_a_recording_is_shown_and_nothing_is_stored(in_session: Any, settings: A
     assert (angle["name"], angle["unit"], angle["role"], angle["joint"]) == ("Winkel [°]", "°", "channel", "body")
     assert force["missing"] == pytest.approx(0.1)
     assert {"name": "left_elbow", "label": "Left elbow"} in found["joints"]
-    assert found["joints"][-1] == {"name": "body", "label": "Body"}
+    assert found["joints"][-1] == {"name": "body", "label": "Body, as one joint"}
     assert in_session.good("GET", "/equipment")["files"] == []
     assert not settings.files.exists() or not list(settings.files.iterdir())
 

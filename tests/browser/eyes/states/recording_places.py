@@ -33,13 +33,11 @@ def open_columns(page: Any, _clinic: EyesClinic) -> None:
 IMPORT_PLACES: dict[str, Open] = {
     "import_recording": at("import_recording"),
     "import_recording, read": steps(
-        brought("arm.csv", recording("Zeit (ms);left_elbow_1 [mV];left_wrist_1 [mV]", 20)),
+        brought("arm.csv", recording("t_ms;K1 [mV];K2 [mV]", 20)),
         shows(".fact-list"),
         open_columns,
         shows(".import-columns select"),
     ),
-    "import_recording, question": steps(
-        brought("arm.csv", recording("Zeit;left_elbow_1;left_wrist_1", 1)), shows(PROBLEM)
-    ),
+    "import_recording, question": steps(brought("arm.csv", recording("t;K1;K2", 20)), shows(PROBLEM)),
     "import_recording, refused": steps(brought("arm.csv", b"\x89PNG\r\n\x1a\n\x00\x00\xff\xfe"), shows(PROBLEM)),
 }

@@ -124,6 +124,8 @@ api-upload-too-large = '{ $name }' is larger than { $megabytes } MB: cut it, or 
 api-upload-empty = '{ $name }' is empty: choose another file.
 # Begins a sentence on what is wrong in what a person has corrected.
 api-the-import = The import
+# A choice among joints: of channels whose names say no part of the body.
+api-joint-body = Body, as one joint
 api-one-recording = One recording is imported at a time: choose one file, or that of BIDS-motion with its _channels.tsv and _motion.json.
 # $count is a count of numbers in the file.
 api-upload-columns = '{ $name }' has no column of times (t) with channels beside it, or more than { NUMBER($count, useGrouping: 1) } numbers: a row above the numbers must name the time and each channel.
