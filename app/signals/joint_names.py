@@ -13,6 +13,7 @@ from app.texts import Text
 
 CHANNEL_OF_JOINT: Final = re.compile(r"(?P<joint>[A-Za-z0-9].*)_\d+")
 WHOLE_BODY: Final = "body"  # the joint of channels whose names say nothing
+SHORTEST: Final = 3  # letters of a word that names a joint
 LONGEST: Final = 60  # letters of a joint: the name of a channel is longer by its number
 WORD: Final = re.compile(r"[A-Z]+(?![a-z])|[A-Z]?[a-z]+")  # LeftForeArm, EMG
 SIDES: Final = {
@@ -120,7 +121,7 @@ def _joint_of(name: str) -> str | None:
 
 def _name_of(name: str) -> str:
     """Return the words of a name that say neither an axis nor a kind of sensor, as the name of a joint."""
-    words = [word for word in _words_of(bare_name(name)[0]) if word not in OF_NO_PART]
+    words = [word for word in _words_of(bare_name(name)[0]) if len(word) >= SHORTEST and word not in OF_NO_PART]
     return "_".join(words)[:LONGEST] or WHOLE_BODY
 
 

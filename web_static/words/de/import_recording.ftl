@@ -26,6 +26,7 @@ import-recording-rate-open = Noch nicht bekannt
 import-recording-channels = Kanäle
 import-recording-joints = Gelenke
 import-recording-even = Die Abtastwerte sind gleichmäßig.
+import-recording-correct = Korrigieren Sie es unten: die Spalte mit den Zeiten, ihre Einheit, die Abtastrate, oder welche Spalten Kanäle sind.
 import-recording-times = Zeiten
 # A stream, or the sheet of a workbook.
 import-recording-part = Teil der Datei

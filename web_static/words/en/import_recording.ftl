@@ -26,6 +26,7 @@ import-recording-rate-open = Not known yet
 import-recording-channels = Channels
 import-recording-joints = Joints
 import-recording-even = The samples are even.
+import-recording-correct = Correct it below: the column of times, its unit, the sample rate, or which columns are channels.
 import-recording-times = Times
 # A stream, or the sheet of a workbook.
 import-recording-part = Part of the file

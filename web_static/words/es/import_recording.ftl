@@ -26,6 +26,7 @@ import-recording-rate-open = Aún no se conoce
 import-recording-channels = Canales
 import-recording-joints = Articulaciones
 import-recording-even = Las muestras son uniformes.
+import-recording-correct = Corríjalo abajo: la columna de los tiempos, su unidad, la frecuencia de muestreo o qué columnas son canales.
 import-recording-times = Tiempos
 # A stream, or the sheet of a workbook.
 import-recording-part = Parte del archivo

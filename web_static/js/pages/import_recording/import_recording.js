@@ -44,8 +44,12 @@ function Page({ store }) {
           { label: t("import-recording-files"), hint: t("import-recording-files-hint") },
           h("input", { type: "file", multiple: true, onChange }),
         ),
-        h("p", { role: "status" }, isReading.value && t("import-recording-reading")),
-        h("p", { class: "problem", role: "alert" }, problem.value),
+        h(
+          "div",
+          {},
+          h("p", { role: "status" }, isReading.value && t("import-recording-reading")),
+          h("p", { class: "problem", role: "alert" }, problem.value),
+        ),
       ),
       overview.value &&
         h(
@@ -91,8 +95,12 @@ function Contents({ store, overview }) {
         [t("import-recording-joints"), allOf(used.map((joint) => labels[joint] ?? joint))],
       ],
     }),
-    h("p", { role: "status" }, problem ? "" : message || t("import-recording-even")),
-    h("p", { class: "problem", role: "alert" }, problem),
+    h(
+      "div",
+      {},
+      h("p", { class: "problem", role: "alert" }, problem),
+      h("p", { role: "status" }, problem ? t("import-recording-correct") : message || t("import-recording-even")),
+    ),
   );
 }
 
