@@ -1358,6 +1358,82 @@ export interface paths {
         patch?: never;
         trace?: never;
     };
+    "/api/v1/equipment/files/overview": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        get?: never;
+        put?: never;
+        post: {
+            parameters: {
+                query?: never;
+                header?: never;
+                path?: never;
+                cookie?: never;
+            };
+            requestBody: {
+                content: {
+                    "multipart/form-data": components["schemas"]["Body_view_recording_api_v1_equipment_files_overview_post"];
+                };
+            };
+            responses: {
+                200: {
+                    headers: {
+                        [name: string]: unknown;
+                    };
+                    content: {
+                        "application/json": components["schemas"]["RecordingOverview"];
+                    };
+                };
+            };
+        };
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
+    "/api/v1/equipment/files/import": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        get?: never;
+        put?: never;
+        post: {
+            parameters: {
+                query?: never;
+                header?: never;
+                path?: never;
+                cookie?: never;
+            };
+            requestBody: {
+                content: {
+                    "multipart/form-data": components["schemas"]["Body_import_recording_api_v1_equipment_files_import_post"];
+                };
+            };
+            responses: {
+                201: {
+                    headers: {
+                        [name: string]: unknown;
+                    };
+                    content: {
+                        "application/json": components["schemas"]["StoredRecording"];
+                    };
+                };
+            };
+        };
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
     "/api/v1/chairs": {
         parameters: {
             query?: never;
@@ -6042,6 +6118,16 @@ export interface components {
             /** @default {} */
             options?: string;
         };
+        Body_import_recording_api_v1_equipment_files_import_post: {
+            files: string[];
+            /** @default {} */
+            options?: string;
+        };
+        Body_view_recording_api_v1_equipment_files_overview_post: {
+            files: string[];
+            /** @default {} */
+            options?: string;
+        };
         BoundGestures: {
             gestures: components["schemas"]["NamedGesture"][];
             gain: number;
@@ -7933,6 +8019,37 @@ export interface components {
             /** @default true */
             loop?: boolean;
         };
+        RecordingColumn: {
+            name: string;
+            unit: string;
+            /** @enum {string} */
+            role: "time" | "channel" | "other-time" | "counter" | "text" | "empty" | "constant" | "unused";
+            least: number | null;
+            most: number | null;
+            missing: number | null;
+            joint: string | null;
+        };
+        RecordingOverview: {
+            name: string;
+            kind: string;
+            dialect: string;
+            parts: components["schemas"]["RecordingPart"][];
+            rows: number | null;
+            columns: components["schemas"]["RecordingColumn"][];
+            time: string | null;
+            unit: ("s" | "ms" | "us" | "ns" | "min" | "h" | "d") | null;
+            is_stated: boolean;
+            rate: number | null;
+            seconds: number | null;
+            message: string;
+            problem: string;
+            joints: components["schemas"]["JointChoice"][];
+        };
+        RecordingPart: {
+            name: string;
+            channels: number;
+            samples: number;
+        };
         Reference: {
             measures: components["schemas"]["MeasureCatalogue"];
             limits: {
@@ -8378,6 +8495,9 @@ export interface components {
         StopCount: {
             stops: number;
         };
+        StoredRecording: {
+            name: string;
+        };
         StoryScale: {
             name: string;
             total: number;
@@ -8713,6 +8833,8 @@ export type BluetoothConfig = components['schemas']['BluetoothConfig'];
 export type BodyBringFileApiV1EquipmentFilesPost = components['schemas']['Body_bring_file_api_v1_equipment_files_post'];
 export type BodyBringModelApiV1ModelsPost = components['schemas']['Body_bring_model_api_v1_models_post'];
 export type BodyImportFilesApiV1FloorplansImportPost = components['schemas']['Body_import_files_api_v1_floorplans_import_post'];
+export type BodyImportRecordingApiV1EquipmentFilesImportPost = components['schemas']['Body_import_recording_api_v1_equipment_files_import_post'];
+export type BodyViewRecordingApiV1EquipmentFilesOverviewPost = components['schemas']['Body_view_recording_api_v1_equipment_files_overview_post'];
 export type BoundGestures = components['schemas']['BoundGestures'];
 export type Box = components['schemas']['Box'];
 export type BrainFlowConfig = components['schemas']['BrainFlowConfig'];
@@ -8912,6 +9034,9 @@ export type Quartiles = components['schemas']['Quartiles'];
 export type RecordTime = components['schemas']['RecordTime'];
 export type RecordedConfig = components['schemas']['RecordedConfig'];
 export type RecordedHeadConfig = components['schemas']['RecordedHeadConfig'];
+export type RecordingColumn = components['schemas']['RecordingColumn'];
+export type RecordingOverview = components['schemas']['RecordingOverview'];
+export type RecordingPart = components['schemas']['RecordingPart'];
 export type Reference = components['schemas']['Reference'];
 export type Refused = components['schemas']['Refused'];
 export type ReplacedView = components['schemas']['ReplacedView'];
@@ -8959,6 +9084,7 @@ export type StartView = components['schemas']['StartView'];
 export type StatusView = components['schemas']['StatusView'];
 export type StepChoice = components['schemas']['StepChoice'];
 export type StopCount = components['schemas']['StopCount'];
+export type StoredRecording = components['schemas']['StoredRecording'];
 export type StoryScale = components['schemas']['StoryScale'];
 export type StoryView = components['schemas']['StoryView'];
 export type SuggestedVocabulary = components['schemas']['SuggestedVocabulary'];

@@ -23,6 +23,7 @@ export const PAGES = {
   review: { icon: "review", forReviewers: true },
   settings: { icon: "settings", forReviewers: true },
   layouts: { below: "shirt" },
+  import_recording: { below: "shirt" },
   attention: { below: "review" },
   session: {},
   adapt: { ofSession: true },

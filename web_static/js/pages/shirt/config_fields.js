@@ -19,7 +19,7 @@ import { t } from "../../texts.js";
 import { Field, Segments, Selection, Toggle } from "../../widgets/fields.js";
 import { unrounded } from "../../widgets/format.js";
 import { Stepper } from "../../widgets/setting.js";
-import { AddFile, FileField } from "./signal_files.js";
+import { AddFile, FileField, ImportLink } from "./signal_files.js";
 
 const REPLAYED = new Set(["signals", "recording"]);
 const LEAST_CHANNELS = 3; // with fewer, two choices of channels would name the same ones
@@ -49,7 +49,10 @@ export function configFields(form, around) {
   });
   const bringsFiles = Object.values(properties).some(({ format }) => format === "signal-file");
   return {
-    fields: [...inColumns(made.map(([, one]) => one)), ...(bringsFiles ? [h(AddFile, { app: around.app })] : [])],
+    fields: [
+      ...inColumns(made.map(([, one]) => one)),
+      ...(bringsFiles ? [h(AddFile, { app: around.app }), h(ImportLink, {})] : []),
+    ],
     config: async () => {
       const values = await Promise.all(made.map(async ([name, { read }]) => [name, await read()]));
       return { kind: kind.const, ...Object.fromEntries(values) };
