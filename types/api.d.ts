@@ -1842,7 +1842,11 @@ export interface paths {
                 path?: never;
                 cookie?: never;
             };
-            requestBody?: never;
+            requestBody?: {
+                content: {
+                    "application/json": components["schemas"]["CalibrationBeginning"] | null;
+                };
+            };
             responses: {
                 200: {
                     headers: {
@@ -6183,6 +6187,9 @@ export interface components {
             use: "none" | "same" | "changed";
             layout: components["schemas"]["ShirtLayout"];
         };
+        CalibrationBeginning: {
+            short: boolean;
+        };
         CalibrationProfile: {
             /**
              * @default bodydrive-profile
@@ -6222,6 +6229,7 @@ export interface components {
             may_drive_now: boolean;
             earlier: components["schemas"]["EarlierView"] | null;
             may_fit_earlier: boolean;
+            short: boolean | null;
         };
         CameraChoice: {
             view?: ("eye" | "chase" | "top" | "free") | null;

@@ -40,6 +40,7 @@ class CalibrationView(Document):
     may_drive_now: bool
     earlier: EarlierView | None  # can be fitted to how the shirt sits today, in place of a new calibration
     may_fit_earlier: bool
+    short: bool | None  # whether it is the short calibration; null: this shirt has none
 
 
 def view_of(progress: Progress) -> CalibrationView:
@@ -54,6 +55,7 @@ def view_of(progress: Progress) -> CalibrationView:
         may_drive_now=progress.may_drive_now,
         earlier=None if progress.earlier is None else EarlierView.of(progress.earlier),
         may_fit_earlier=progress.may_fit_earlier,
+        short=progress.short,
     )
 
 
