@@ -37,16 +37,19 @@ class Step:
 
 def calibration_script(layout: ShirtLayout) -> tuple[Step, ...]:
     """Return the steps for a shirt: rest, free movement, then the prompts of each joint."""
-    return (_rest(), _free(), *(_prompt(joint, REPETITIONS) for joint in layout.joints))
+    free = _free(Text("calibration-free-instruction"))
+    return (_rest(), free, *(_prompt(joint, REPETITIONS) for joint in layout.joints))
 
 
 def short_script(layout: ShirtLayout) -> tuple[Step, ...]:
     """Return the steps of the short calibration, which prompts only the joints of the four controls.
 
-    Each is the step of `calibration_script` with the same id, with fewer repetitions at its end.
+    Each is the step of `calibration_script` with the same id, without its last repetitions. The free movement is one of
+    the prompted joints: the main directions of their maps come from it.
     """
+    free = _free(Text("calibration-free-short-instruction"))
     prompted = (joint for joint in layout.joints if joint.name in UPRIGHT_VOCABULARY)
-    return (_rest(), _free(), *(_prompt(joint, SHORT_REPETITIONS) for joint in prompted))
+    return (_rest(), free, *(_prompt(joint, SHORT_REPETITIONS) for joint in prompted))
 
 
 def has_short_script(layout: ShirtLayout) -> bool:
@@ -80,7 +83,7 @@ def _rest() -> Step:
     )
 
 
-def _free() -> Step:
+def _free(instruction: Text) -> Step:
     cues = (
         Cue(start=0.0, end=READY, kind="ready"),
         Cue(start=READY, end=READY + FREE, kind="free"),
@@ -90,7 +93,7 @@ def _free() -> Step:
         kind="free",
         joint=None,
         title=Text("calibration-free"),
-        instruction=Text("calibration-free-instruction"),
+        instruction=instruction,
         duration=READY + FREE,
         cues=cues,
     )

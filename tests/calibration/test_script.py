@@ -70,6 +70,7 @@ def test_the_short_calibration_prompts_the_joints_of_the_controls_by_the_beginni
     assert all(step.cues == whole[step.id].cues[: len(step.cues)] for step in short)
     assert [max(cue.repetition for cue in step.cues) for step in short[2:]] == [SHORT_REPETITIONS] * 4
     assert all(step.duration == step.cues[-1].end for step in short)
+    assert "turn your head" in str(short[1].instruction)
     assert sum(step.duration for step in short) < 60.0
 
 
