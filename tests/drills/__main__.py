@@ -3,6 +3,7 @@
 import argparse
 import os
 import platform
+import subprocess
 import sys
 from concurrent.futures import ProcessPoolExecutor
 from multiprocessing import get_context
@@ -47,9 +48,11 @@ def _runs(name, given):
 
 def _page(table, jobs):
     machine = f"{platform.machine()}, {os.cpu_count()} cores, {platform.system()} {platform.release()}"
+    asked = ["git", "rev-parse", "--short", "HEAD"]
+    commit = subprocess.run(asked, cwd=ROOT, capture_output=True, text=True, check=False).stdout.strip() or "unknown"
     return f"""# Fault drills
 
-Made by `make drills`: real processes and sockets, injured at random moments while the chair cruises.
+Made by `make drills` of commit {commit}: real processes and sockets, injured at random moments while the chair cruises.
 {machine}, Python {platform.python_version()}; drills side by side: {jobs}.
 
 Times run from the injury, by one monotonic clock, as the receiver's own lines say them. A limit is what safety.md asks

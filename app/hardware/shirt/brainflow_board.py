@@ -203,7 +203,6 @@ class BrainFlowShirt:
     def __init__(
         self, config: BrainFlowConfig, clock: Clock, load: Callable[[], BrainFlowLibrary] = load_brainflow
     ) -> None:
-        self.sample_rate = LOWEST_RATE
         self._config = config
         self._clock = clock
         self._load = load
@@ -228,6 +227,11 @@ class BrainFlowShirt:
         if self._layout is None:
             raise HardwareError(Text("shirtdev-brainflow-closed"))
         return self._layout
+
+    @property
+    def sample_rate(self) -> float:
+        """Frames per second (Hz), those of the board once it is open."""
+        return self._channels.rate
 
     @property
     def lost(self) -> int:
@@ -266,7 +270,7 @@ class BrainFlowShirt:
             cause = CAUSES.get(getattr(error, "exit_code", 0), "other")
             text = Text("shirtdev-brainflow-failed", board=config.board, why=library_message(error), cause=cause)
             raise HardwareError(text) from error
-        self._layout, self.sample_rate = layout, channels.rate
+        self._layout = layout
         self._begin(channels)
         self._reader = reader
         reader.start()

@@ -256,7 +256,6 @@ class FedBoard:
         config = BrainFlowConfig(kind="brainflow", layout=small_layout())
         self.shirt = BrainFlowShirt(config, self.clock, FakeBrainFlow)
         self.shirt._begin(BoardChannels({"accel_1": 0}, 1, RATE))
-        self.shirt.sample_rate = RATE
         self.chunks = deque()
         self.reader = SimpleNamespace(chunks=self.chunks, trouble="", wait=self.wait, end=lambda: None)
         self.shirt._reader = self.reader
