@@ -7034,6 +7034,10 @@ export interface components {
             name: string;
             label: string;
         };
+        JointChoice: {
+            name: string;
+            label: string;
+        };
         JointGroupsView: {
             message: string;
             groups: number[][];
@@ -8847,6 +8851,7 @@ export type BoundGestures = components['schemas']['BoundGestures'];
 export type Box = components['schemas']['Box'];
 export type BrainFlowConfig = components['schemas']['BrainFlowConfig'];
 export type BundledLayoutView = components['schemas']['BundledLayoutView'];
+export type CalibrationBeginning = components['schemas']['CalibrationBeginning'];
 export type CalibrationProfile = components['schemas']['CalibrationProfile'];
 export type CalibrationView = components['schemas']['CalibrationView'];
 export type CameraChoice = components['schemas']['CameraChoice'];
@@ -8944,6 +8949,7 @@ export type InterfaceVerdicts = components['schemas']['InterfaceVerdicts'];
 export type InvitationCode = components['schemas']['InvitationCode'];
 export type InvitedView = components['schemas']['InvitedView'];
 export type Joint = components['schemas']['Joint'];
+export type JointChoice = components['schemas']['JointChoice'];
 export type JointGroupsView = components['schemas']['JointGroupsView'];
 export type JointLines = components['schemas']['JointLines'];
 export type JointMap = components['schemas']['JointMap'];
