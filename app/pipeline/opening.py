@@ -120,7 +120,7 @@ class _Attempt(threading.Thread):
         with self._lock:
             self._given_up = not self.ended.is_set()
         if not self._given_up:  # the device opened just before this call
-            close_quietly(self.device)
+            close_meanwhile(self.device)
 
 
 def open_device(device: Device) -> Device:
@@ -157,6 +157,11 @@ def message_of(error: Exception, longest: int | None = None) -> Text | str:
     if isinstance(message, Text):
         return message
     return " ".join("".join(letter if letter.isprintable() else " " for letter in message).split())[:longest]
+
+
+def close_meanwhile(device: object) -> None:
+    """Close a device in a thread: some wait for seconds, and the loop must not."""
+    threading.Thread(target=close_quietly, args=(device,), name="closes a device", daemon=True).start()
 
 
 def close_quietly(device: object) -> None:

@@ -30,7 +30,7 @@ from app.hardware.shirt.kind import ShirtConfig
 from app.json_values import JsonDocument
 from app.messages import HeadPose, Tick
 from app.pipeline.chain import Chain
-from app.pipeline.opening import DeviceChange, close_quietly, message_of, open_device
+from app.pipeline.opening import DeviceChange, close_meanwhile, close_quietly, message_of, open_device
 from app.source import UNKNOWN, Source
 from app.speed_limits import HIGHEST_SPEEDS, Speeds
 from app.texts import Text, text_of
@@ -116,7 +116,7 @@ class HeadTracking:
         except Exception as error:  # whatever a device does, the loop turns on
             tracker, self._tracker = self._tracker, None
             self._failed = Text("drives-tracker-failed", problem=message_of(error) or type(error).__name__)
-            close_quietly(tracker)
+            close_meanwhile(tracker)
             return None
 
 
@@ -250,7 +250,7 @@ class Setup:
         failed, self.shirt, self.simulated_shirt = self.shirt, None, None
         self.mistrust = NO_SHIRT
         self._shirt_failed = Text("drives-shirt-failed", problem=message_of(error) or type(error).__name__)
-        close_quietly(failed)
+        close_meanwhile(failed)
 
     def close(self) -> None:
         """Release all devices."""
