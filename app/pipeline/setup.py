@@ -355,8 +355,7 @@ class Setup:
         """Return in a sentence why parameters cannot decode the frames of the shirt; None when they can."""
         if self.shirt is None:
             return None
-        shirt, calibrated = self.shirt.layout, parameters.profile.layout
-        if shirt.channel_names != calibrated.channel_names or shirt.may_stay_constant != calibrated.may_stay_constant:
+        if not self.shirt.layout.fits(parameters.profile.layout):
             return Text("drives-other-sensors")
         cutoff, rate = parameters.cutoff, self.sample_rate
         if rate <= 2.0 * cutoff:  # no filter has a cutoff above half the sample rate
