@@ -29,7 +29,8 @@ class Room:
     def __init__(self, places, loss=0.0, jitter=0.0, seed=1):
         flex = [part for name, part in places.items() if name.endswith("/flex")]
         self.frames = OrientationFrames(places.values(), flex, RATE, from_neighbour=False)
-        self.server = SlimeTrackers(places, self.frames, ArrivalWatch())
+        self.watch = ArrivalWatch()
+        self.server = SlimeTrackers(places, self.frames, self.watch)
         self.clock = FakeClock(1000.0)
         self.grid = FrameGrid(self.clock, RATE)
         self.trackers = {}
@@ -154,6 +155,9 @@ def test_a_sensor_that_lies_still_is_no_broken_one_and_one_that_hangs_is_found()
     arm.hung.clear()
     *_, frame = room.run(2.0)
     assert known(frame) == [True] * 3 + [False] * 3, "nobody knows what it did meanwhile"
+    accepted = room.watch.accepted
+    room.server.receive(arm.acceleration(), HOME, room.clock.time)
+    assert (room.watch.accepted, room.watch.newest.reason) == (accepted, "idle"), "a sign of life, and no signal"
     arm.still.clear()
     *_, frame = room.run(0.1)
     assert all(known(frame))
@@ -332,6 +336,7 @@ def test_a_flood_of_trackers_fills_no_memory_and_keeps_none_of_the_body_out():
         mac = ":".join(f"{byte:02X}" for byte in i.to_bytes(6, "big", signed=False)[::-1])
         answer = room.server.receive(SlimeTracker(mac).handshake(), ("10.1.0.1", i), room.clock.time)
         assert (answer is not None) == (0 < i <= MOST_TRACKERS)
+    assert room.watch.newest.reason == "unplaced", "nobody sends in the name of another"
     room.run(2 * REST_TIME)
     assert all(known(room.run(0.1)[-1]))
     room.run(10.0)
