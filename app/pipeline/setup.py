@@ -28,7 +28,7 @@ from app.hardware.configs import SHIRTS, BodyConfig, ChairConfig, HeadConfig, Re
 from app.hardware.registry import make_body, make_head, make_real_chair, make_shirt
 from app.hardware.shirt.kind import ShirtConfig
 from app.json_values import JsonDocument
-from app.messages import HeadPose, Tick
+from app.messages import IDLE_RATE, HeadPose, Tick
 from app.pipeline.chain import Chain
 from app.pipeline.opening import DeviceChange, close_meanwhile, close_quietly, message_of, open_device
 from app.source import UNKNOWN, Source
@@ -38,7 +38,6 @@ from app.world.floorplan import FloorPlan, PrescribedPath
 from app.world.movers import Track
 from app.world.progress import leader_of
 
-IDLE_RATE = 50.0  # Hz: how often the loop turns while there is no shirt
 NO_SHIRT = Text("drives-no-shirt")
 NO_TRACKER = Text("drives-no-tracker")
 
