@@ -17,6 +17,7 @@ from app.layout import ShirtLayout
 from app.messages import ChairState, HeadPose, SensorFrame, Tick
 from app.speed_limits import Speeds
 from app.texts import Text
+from app.visible_text import one_line
 from app.world.floorplan import FloorPlan, PrescribedPath
 
 ORIGIN = Pose(0.0, 0.0, 0.0)
@@ -29,8 +30,7 @@ class HardwareError(Exception):
 
 def library_message(error: Exception) -> str:
     """Return what the library of a device says of an error: printable, in one short line, never empty."""
-    message = "".join(letter if letter.isprintable() else " " for letter in str(error))
-    return " ".join(message.split())[:LONGEST_MESSAGE].strip() or type(error).__name__
+    return one_line(str(error), LONGEST_MESSAGE) or type(error).__name__
 
 
 @dataclass(slots=True)
