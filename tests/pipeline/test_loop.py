@@ -19,7 +19,6 @@ from app.pipeline.open_run import OpenRun
 from app.pipeline.setup import Setup
 from app.world.movers import Track
 
-
 WAIT = 10.0  # s
 
 
