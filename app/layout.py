@@ -162,6 +162,11 @@ class ShirtLayout(Document):
         return [joint.name for joint in self.joints]
 
     @property
+    def joint_labels(self) -> dict[str, str]:
+        """What the layout itself calls each joint, by name."""
+        return {joint.name: joint.label for joint in self.joints}
+
+    @property
     def joint_titles(self) -> Mapping[str, Text | str]:
         """What people call each joint, alone or at the beginning of a sentence, by name."""
         return {joint.name: joint_title(joint) for joint in self.joints}
