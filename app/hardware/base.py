@@ -172,10 +172,10 @@ class SearchingShirt(Protocol):
 
 @runtime_checkable
 class ReportingShirt(Protocol):
-    """A shirt that says what arrives at it, and why nothing does."""
+    """A shirt that says what arrives at it, or why nothing does and what to do; also while it is closed."""
 
     def arrivals(self) -> Arrivals:
-        """Return what arrives now; asked twice a second on the loop, so that it never waits."""
+        """Return what arrives now; the loop asks at least twice a second, so that this must not wait."""
         ...
 
 
