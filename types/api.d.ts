@@ -5986,7 +5986,7 @@ export interface components {
         };
         ArrivalsMoment: {
             /** @enum {string} */
-            verdict: "arrives" | "waiting" | "nothing" | "foreign" | "refused" | "late" | "repeated" | "disk" | "senders" | "rate" | "unplaced" | "moving" | "idle" | "nobody" | "unopened" | "gone" | "ended";
+            verdict: "arrives" | "waiting" | "nothing" | "foreign" | "refused" | "late" | "repeated" | "disk" | "senders" | "rate" | "partial" | "unplaced" | "moving" | "idle" | "nobody" | "unopened" | "gone" | "ended";
             message: string;
             accepted: number;
             left_out: number;

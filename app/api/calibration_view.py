@@ -61,7 +61,7 @@ def view_of(progress: Progress) -> CalibrationView:
 
 def _steps(progress: Progress) -> list[dict[str, Any]]:
     waiting = ("waiting", "")
-    labels = {} if progress.layout is None else {joint.name: joint.label for joint in progress.layout.joints}
+    labels = {} if progress.layout is None else progress.layout.joint_labels
     steps: list[dict[str, Any]] = [
         {
             "id": step.id,
@@ -118,7 +118,7 @@ def _map(linear: LinearMap | None, layout: ShirtLayout) -> dict[str, Any] | None
 
 
 def _result(progress: Progress, profile: CalibrationProfile) -> dict[str, Any]:
-    labels = {joint.name: joint.label for joint in profile.layout.joints}
+    labels = profile.layout.joint_labels
     steps = {step.joint: step.id for step in progress.steps if step.joint is not None}
     fields = {"name", "evr", "signal_to_noise", "repeatability", "angle_deg"}
     joints = [

@@ -99,6 +99,8 @@ class FramePlayer:
 def layout_beside(path: Path) -> ShirtLayout | None:
     """Return the layout that lies beside a file of signals; None where there is none.
 
+    People bring it: whatever it says, every value has to change (safety S5).
+
     Raises
     ------
     ValueError
@@ -108,7 +110,7 @@ def layout_beside(path: Path) -> ShirtLayout | None:
 
     places = (path.with_name(f"{path.stem}.layout.json"), path.with_name("layout.json"))
     file = next((place for place in places if place.exists()), None)
-    return read_layout(file) if file is not None and path.is_file() else None
+    return read_layout(file).without_liveness if file is not None and path.is_file() else None
 
 
 def _read_file(path: Path, options: "ReadingOptions | None", layout: ShirtLayout | None) -> FrameFile:

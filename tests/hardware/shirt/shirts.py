@@ -170,11 +170,11 @@ class SlimeVrCase:
 
     rate = RATE
 
-    def __init__(self, _tmp_path):
+    def __init__(self, _tmp_path, **parts):
         self.clock = FakeClock(50.0)
         self.tracker = SlimeTracker(rate=RATE)
         config = SlimeVrConfig(
-            kind="slimevr", host="127.0.0.1", port=0, sample_rate=RATE, right_forearm=self.tracker.mac
+            kind="slimevr", host="127.0.0.1", port=0, sample_rate=RATE, right_forearm=self.tracker.mac, **parts
         )
         self.shirt = SlimeVrShirt(config, self.clock)
         self.device = socket.socket(socket.AF_INET, socket.SOCK_DGRAM)

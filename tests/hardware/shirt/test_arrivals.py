@@ -238,7 +238,10 @@ def test_a_pulled_cable_names_the_lines_that_are_there(opened):
     ("there", "words"),
     [
         ([], r"put its cable in$"),
-        (["/dev/rfcomm0", "/dev/ttyUSB1"], r"or choose the name that the line has now: /dev/ttyUSB1$"),
+        (
+            ["/dev/rfcomm0", "/dev/cu.Bluetooth-Incoming-Port", "/dev/ttyUSB1"],
+            r"or choose the name that the line has now: /dev/ttyUSB1$",
+        ),
     ],
 )
 def test_a_line_that_is_not_there_names_those_that_are(monkeypatch, there, words):

@@ -6,7 +6,7 @@
 import { t } from "../../texts.js";
 
 /** Verdicts while signals come, which something else is wrong with. */
-const WRONG = new Set(["rate", "moving", "nobody"]);
+const WRONG = new Set(["rate", "partial", "moving", "nobody"]);
 /** The server's verdicts that another part of the page says, with what to do. */
 const ELSEWHERE = new Set(["senders"]);
 /** What a browser says of its own camera, about which the server knows nothing. */

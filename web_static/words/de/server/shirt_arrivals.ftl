@@ -13,7 +13,13 @@ arrivals-slimevr-nothing =
         [machine] Auf { $place } kommt gar nichts an. Nur Programme auf diesem Rechner erreichen diese Adresse. Tracker suchen 0.0.0.0, das sind alle Netze dieses Rechners.
        *[network] Auf { $place } kommt gar nichts an: Die Tracker sind in einem anderen Netz, oder eine Firewall hält ihre Pakete ab. Bringen Sie sie in das Netz dieses Rechners, und öffnen Sie in seiner Firewall den UDP-Port { $port }.
     }
-arrivals-slimevr-idle = Ein Tracker antwortet, sendet aber keine Bewegung. Schalten Sie ihn aus und ein, und prüfen Sie, ob eine Firewall abhält, was dieser Rechner ihm sendet.
+arrivals-slimevr-idle = Ein Tracker antwortet, sendet aber keine Bewegung. Bewegen Sie ihn: Manche senden nichts, solange sie ganz still liegen. Bleibt es so, schalten Sie ihn aus und ein, und prüfen Sie, ob eine Firewall abhält, was dieser Rechner ihm sendet.
+# $source is a kind of shirt, $parts a list of parts of the body.
+arrivals-partial =
+    { $source ->
+        [slimevr] Signale kommen an, aber keine von: { $parts }. Schalten Sie den Tracker dort ein. Einer, der nur sendet, was sich geändert hat, gilt als stumm, solange er ganz still liegt: Verwenden Sie eine Firmware, die auch dann sendet (OPTIMIZE_UPDATES aus).
+       *[other] Signale kommen an, aber keine von: { $parts }. Schalten Sie den Sensor dort ein.
+    }
 # $why is a message shirtdev-frame-... or arrivals-no-tracker; $sender is an address.
 arrivals-foreign =
     { $count ->

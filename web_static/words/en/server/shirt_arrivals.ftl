@@ -13,7 +13,13 @@ arrivals-slimevr-nothing =
         [machine] Nothing at all arrives at { $place }. Only programs on this machine reach that address: trackers look for 0.0.0.0, which is every network of this machine.
        *[network] Nothing at all arrives at { $place }: the trackers are in another network, or a firewall keeps their packets out. Bring them into the network of this machine, and open UDP port { $port } in its firewall.
     }
-arrivals-slimevr-idle = A tracker answers, but no movement comes from it. Switch it off and on, and see whether a firewall keeps out what this machine sends to it.
+arrivals-slimevr-idle = A tracker answers, but no movement comes from it. Move it: some send nothing while they lie quite still. If it stays so, switch it off and on, and see whether a firewall keeps out what this machine sends to it.
+# $source is a kind of shirt, $parts a list of parts of the body.
+arrivals-partial =
+    { $source ->
+        [slimevr] Signals arrive, but none from: { $parts }. Switch the tracker there on. One that sends only what has changed counts as silent while it lies quite still: use firmware that sends then, too (OPTIMIZE_UPDATES off).
+       *[other] Signals arrive, but none from: { $parts }. Switch the sensor there on.
+    }
 # $why is a message shirtdev-frame-... or arrivals-no-tracker; $sender is an address.
 arrivals-foreign =
     { $count ->
