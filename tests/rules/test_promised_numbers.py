@@ -76,4 +76,5 @@ def test_a_number_of_a_promise_is_that_of_the_program(row: str, words: str, foun
 
 def test_as_many_odd_values_are_tried_in_as_many_fields_as_are_promised() -> None:
     (row,) = (line for line in SAFETY.read_text(encoding="utf-8").splitlines() if line.startswith("| S28 |"))
-    assert f"{len(FIELDS)} fields x {len(odd_values())} odd values (`make test`: {len(odd_values()[::5])} of each" in row
+    values = odd_values()
+    assert f"{len(FIELDS)} fields x {len(values)} odd values (`make test`: {len(values[::5])} of each" in row

@@ -2,7 +2,7 @@
 (() => {
   if (window !== top) Object.defineProperty(window, "devicePixelRatio", { get: () => 0.5 });
   const pause = 320;  // ms
-  const next = window.requestAnimationFrame.bind(window), cancel = window.cancelAnimationFrame.bind(window);
+  const next = (window.everyPicture = window.requestAnimationFrame.bind(window)), cancel = window.cancelAnimationFrame.bind(window);
   const pending = new Map();
   let last = 0, count = 0;
   window.requestAnimationFrame = (draw) => {
