@@ -2,7 +2,6 @@
 
 import socket
 import threading
-from contextlib import suppress
 
 LONGEST = 4096  # bytes
 ADDRESS = 6  # bytes, of a Bluetooth sensor
@@ -48,6 +47,5 @@ def take_notification(bleak, datagram):
     """Let a sensor of the fake `bleak` send: a datagram is its address (6 bytes) and the content."""
     address = datagram[:ADDRESS].hex(":").upper()
     sensor = next(sensor for sensor in bleak.sensors if sensor.address == address)
-    if sensor.is_connected:
-        with suppress(AttributeError):  # not yet asked to send
-            sensor.send(datagram[ADDRESS:])
+    if sensor.is_asked:
+        sensor.send(datagram[ADDRESS:])

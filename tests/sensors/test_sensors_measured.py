@@ -15,6 +15,7 @@ from sensors.__main__ import is_kept, keep_lsl_local, page, row
 from sensors.far_ends import age_of_angle, age_of_parts, angle_at, time_parts
 from sensors.measure import Measured, cut_off, measure
 from sensors.subjects import SUBJECTS, Subject
+from sources_tried.figures import HEADING, section_of
 
 from app.hardware.base import HardwareError
 from app.hardware.configs import KINDS
@@ -72,14 +73,18 @@ def test_a_driver_that_fails_is_a_row_and_the_others_are_measured(
 ) -> None:
     monkeypatch.setenv("LSLAPICFG", "")  # put back at the end
     monkeypatch.setattr(command, "SUBJECTS", (Unplugged(), SUBJECTS[0]))
-    out = tmp_path / "page.md"
+    out, driven = tmp_path / "page.md", f"{HEADING}A table of `make sources-tried`.\n"
+    out.write_text(f"An earlier table.\n{driven}", encoding="utf-8")
     monkeypatch.setattr(sys, "argv", ["sensors", "--seconds", "0.01", "--out", str(out)])
     assert command.main() == 1
     failed, measured = capsys.readouterr().out.splitlines()[2:]
     assert failed.startswith("| unplugged | no sensors | 100 | **HardwareError: no / such line** | – |")
     assert measured.startswith("| simulator (reference) |")
     assert failed.count("|") == measured.count("|") == 13
-    assert failed in out.read_text(encoding="utf-8")
+    written = out.read_text(encoding="utf-8")
+    assert failed in written
+    assert "An earlier table." not in written
+    assert section_of(written) == driven, "the part of the other command stays"
 
 
 @given(st.floats(0.0, 1e7), st.floats(0.0, 4.0))
