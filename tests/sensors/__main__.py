@@ -1,4 +1,4 @@
-"""`python -m sensors`: each driver at its full rate against its far end, and the page of it; `make sensors`."""
+"""`python -m sensors`: each driver at its full rate against its emulator, and the page of it; `make sensors`."""
 
 import argparse
 import os
@@ -9,26 +9,30 @@ from pathlib import Path
 import numpy as np
 from sensors.measure import Measured, measure
 from sensors.subjects import SUBJECTS
-from sources_tried.figures import section_of
+from sources_tried.figures import line, section_of
 
 from app.lsl_library import LSL_MISSING, load_lsl
 from bench.tables import here
 
 HEAD = """# Drivers, measured
-Made by `make sensors`; do not edit. Each driver ran for {seconds:g} s at its full rate against a far end in another
-process, which sends the time at which it measures. What people buy, connect and press is in [Hardware](hardware.md).
+Made by `make sensors`; do not edit. Each driver ran for {seconds:g} s at its full rate against an emulator (the
+program that plays the device) in another process, which sends the time at which it measures. What people buy, connect
+and press is in [Hardware](hardware.md).
 {day}, commit {commit}, {machine}.
 """
 FOOT = """
-- **Age**: from the far end's measurement to the frame in the control loop, by one clock. Trackers, phones and camera
-  are on a grid of their rate, which adds up to a period; a page's samples also wait for the turn of the loop, at most
-  20 ms. Network, browser and web process are not in it. Of the reference: from the grid of its rate.
-- **Lost**: frames that the driver misses; of trackers, phones and camera, instants of the grid without a sample.
-- **Processor**: of the process that reads the driver, with the reading of the time in each frame.
+- **Age**: from the emulator's measurement to the frame in the control loop, by one clock. Trackers, Bluetooth sensors,
+  phones and camera are on a grid of their rate, which adds up to a period; a page's samples also wait for the turn of
+  the loop, at most 20 ms. Network, radio, browser and web process are not in it. Of the reference: from the grid of its
+  rate.
+- **Lost**: frames that the driver misses; on a grid, instants without a sample.
+- **Processor**: of the process that reads the driver, with the reading of the time in each frame. For Bluetooth and
+  BrainFlow also the emulators of their libraries, which stand in that process.
 - **Cuts**: nothing gets through, the cable is out, or the sender ends (LSL), until no frame has come for 0.5 s; then
-  the longest time to a frame. A pulled cable is tried again every 2 s, a lost LSL stream is looked for a second long.
-- **Junk**: random bytes where others could send them, and the frames that came of it. LSL's library reads its own
-  network.
+  the longest time to a frame. A cut is found when both come within 30 s. A pulled cable is tried again every 2 s, a
+  lost LSL stream is looked for a second long.
+- **Junk**: random bytes where others could send them, and the frames that came of it. The libraries of LSL and
+  BrainFlow read their own network or board.
 """
 LSL_LOCAL = """[multicast]
 ResolveScope = machine
@@ -65,8 +69,13 @@ def main() -> int:
             if subject.title == "LSL" and not has_lsl:
                 left_out.append(subject.title)
                 continue
-            with tempfile.TemporaryDirectory() as place:
-                found.append(measure(subject, given.seconds, given.cuts, given.junk, Path(place)))
+            try:
+                with tempfile.TemporaryDirectory() as place:
+                    one = measure(subject, given.seconds, given.cuts, given.junk, Path(place))
+            except Exception as error:  # whatever ends one driver, the others are measured
+                one = Measured(subject.title, subject.what, subject.rate, given.seconds)
+                one.failure = f"{type(error).__name__}: {error}"
+            found.append(one)
             sys.stdout.write(row(found[-1]))
             sys.stdout.flush()
     if given.out:
@@ -100,14 +109,16 @@ def page(found: list[Measured], left_out: list[str], seconds: float, cuts: int, 
 def table_head(cuts: int, junk: int) -> str:
     """Return the head of the table."""
     cells = [
-        *("driver", "far end", "rate, Hz", "samples", "frames", "lost", "age p50, ms", "p99, ms"),
+        *("driver", "emulator", "rate, Hz", "samples", "frames", "lost", "age p50, ms", "p99, ms"),
         *("processor, ms a second", f"{cuts} cuts", f"{junk:,} pieces of junk", "a second sender"),
     ]
-    return f"| {' | '.join(cells)} |\n|{'---|' * len(cells)}\n"
+    return f"{line(cells)}|{'---|' * len(cells)}\n"
 
 
 def row(one: Measured) -> str:
     """Return the line of a driver in the table."""
+    if one.failure:
+        return line([one.title, one.what, f"{one.rate:g}", f"**{one.failure}**", *["–"] * 8])
     p50, p99 = (1e3 * float(np.percentile(one.ages, share)) for share in (50, 99))
     cells = [
         *(one.title, one.what, f"{one.rate:g}", f"{one.sent:,}" if one.sent else "–", f"{one.frames:,}"),
@@ -116,12 +127,12 @@ def row(one: Measured) -> str:
         f"{one.found} found, back after {one.back:.2f} s at most" if one.cuts else "–",
         *("–" if one.junk is None else f"{one.junk:,} frames", one.second or "–"),
     ]
-    return f"| {' | '.join(cells)} |\n"
+    return line(cells)
 
 
 def is_kept(one: Measured) -> bool:
-    """Return whether a driver lost nothing, found every cut, and took no junk for a frame."""
-    return one.lost == 0 and one.found == (one.cuts or 0) and not one.junk
+    """Return whether a driver was measured, lost nothing, found every cut, and took no junk for a frame."""
+    return not one.failure and one.lost == 0 and one.found == (one.cuts or 0) and not one.junk
 
 
 if __name__ == "__main__":

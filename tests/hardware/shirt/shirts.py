@@ -30,7 +30,7 @@ from app.hardware.shirt.serial_line import SerialConfig, SerialShirt
 from app.hardware.shirt.simulator import SimulatedShirt, SimulatorConfig
 from app.hardware.shirt.udp import UdpConfig, UdpShirt
 from app.layout import Channel, Joint, ShirtLayout
-from app.texts import reader_language
+from app.texts import LANGUAGES, reader_language
 
 RATE = 100.0
 SILENCE = PATIENCE + 0.01  # s without a frame, after which a shirt has a verdict
@@ -56,7 +56,7 @@ def write_signals(file, count=200, channels=3, rate=RATE):
 def said(shirt):
     """Return a shirt's verdict, and what it says, which every language can say."""
     arrivals = shirt.arrivals()
-    for language in ("de", "es"):
+    for language in LANGUAGES:
         with reader_language(language):
             assert "{" not in str(arrivals.message)
     return arrivals.verdict, str(arrivals.message)

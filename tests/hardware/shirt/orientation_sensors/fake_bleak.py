@@ -48,6 +48,11 @@ class FakeSensor:
         self._loop.call_soon_threadsafe(self._notify, self.motion() if content is None else content, is_taken)
         assert is_taken.wait(ANSWER)
 
+    @property
+    def is_asked(self):
+        """Whether the program is connected and has asked to be notified."""
+        return self.is_connected and self._connected.is_set()
+
     def wait_until_connected(self):
         assert self._connected.wait(ANSWER)
 
