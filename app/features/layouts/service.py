@@ -55,10 +55,10 @@ def replace_layout(db: Session, layout_id: int, layout: ShirtLayout, version: in
     return row
 
 
-def delete_layout(db: Session, layout_id: int, in_use: ShirtLayout | None) -> ClinicLayout:
-    """Delete a layout, and return its row; Conflict when it is the one that the shirt in use has."""
+def delete_layout(db: Session, layout_id: int, given: ShirtLayout | None) -> ClinicLayout:
+    """Delete a layout, and return its row; Conflict when it is the one that the shirt in use was given."""
     row = find_layout(db, layout_id)
-    if in_use is not None and in_use.name == row.name:
+    if given is not None and given.name == row.name:
         raise Conflict(Text("layouts-in-use", name=row.name))
     db.delete(row)
     db.flush()

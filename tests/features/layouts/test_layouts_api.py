@@ -118,6 +118,18 @@ def test_the_layout_of_the_shirt_in_use_cannot_be_deleted(signed_in: Clinic) -> 
     signed_in.good("DELETE", f"/layouts/{entry['id']}")
 
 
+def test_a_layout_made_of_a_shirt_that_has_its_own_is_not_in_use_and_can_be_deleted(signed_in: Clinic) -> None:
+    own = bundled_layout(CAMERA_LAYOUT).model_copy(update={"name": "phones"})
+    channels = tuple(channel.model_copy(update={"liveness": "arrival"}) for channel in own.channels)
+    signed_in.process.layout = own.model_copy(update={"channels": channels})
+    signed_in.good("PUT", "/equipment/shirt", json={"kind": "phones"})
+    body = signed_in.good("GET", "/equipment")["layout"]
+    assert body["channels"][0]["liveness"] == "arrival"
+    (entry,) = signed_in.good("POST", "/layouts", json=body)["own"]
+    assert entry["use"] == "none"
+    assert signed_in.good("DELETE", f"/layouts/{entry['id']}")["own"] == []
+
+
 def test_a_calibration_keeps_its_layout_whatever_is_saved_or_used(calibrated: Clinic) -> None:
     before = calibrated.process.parameters
     assert before is not None
