@@ -16,6 +16,7 @@ What = Literal[
     "drive",
     "equipment",
     "graphics",
+    "layouts",
     "phones",
     "record",
     "screens",

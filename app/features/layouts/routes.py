@@ -75,11 +75,10 @@ class JointGroupsView(Document):
 
 
 class LayoutDraftView(Document):
-    """A layout to begin with, which is not saved; `has_joints`: the names of the columns say its joints."""
+    """A layout to begin with, which is not saved; no proposal where the names of the columns say its joints."""
 
     layout: ShirtLayout
-    has_joints: bool
-    proposal: JointGroupsView
+    proposal: JointGroupsView | None
 
 
 @router.get("")
@@ -99,7 +98,7 @@ def save_layout(
         row = add_layout(db, body)
         write_log(db, person.name, "layout saved", layout=row.id, name=row.name, version=row.version)
         answer = _view(db, equipment)
-    live.notify(News(what="equipment"))
+    live.notify(News(what="layouts"))
     return answer
 
 
@@ -124,7 +123,7 @@ def draft_layout(
         draft = computing.ask(draft_of_file, path)
     except (ValueError, OSError) as error:
         raise Conflict(without_folders(text_of(error), settings.files)) from error
-    return LayoutDraftView(layout=draft.layout, has_joints=draft.has_joints, proposal=_groups_view(draft.groups))
+    return LayoutDraftView(layout=draft.layout, proposal=None if draft.groups is None else _groups_view(draft.groups))
 
 
 @router.put("/{layout_id}")
@@ -140,7 +139,7 @@ def change_layout(
         row = replace_layout(db, layout_id, body.layout, body.version)
         write_log(db, person.name, "layout saved", layout=row.id, name=row.name, version=row.version)
         answer = _view(db, equipment)
-    live.notify(News(what="equipment"))
+    live.notify(News(what="layouts"))
     return answer
 
 
@@ -154,7 +153,7 @@ def remove_layout(
         row = delete_layout(db, layout_id, _given(equipment))
         write_log(db, person.name, "layout deleted", layout=layout_id, name=row.name)
         answer = _view(db, equipment)
-    live.notify(News(what="equipment"))
+    live.notify(News(what="layouts"))
     return answer
 
 
