@@ -71,7 +71,7 @@ SOURCES = (
         recorded="Worn shirt on a cable, virtual chair",
         far_end=LinesEnd,
         lamps=STRETCH,
-        fields={"Serial line": "{line}", "Format": "lines", "Layout": "{layout}"},
+        fields={"Serial line": "{line}", "Format": "lines", "Layout from a file": "{layout}"},
     ),
     Source(
         name="slimevr",
@@ -126,6 +126,6 @@ SOURCES = (
         recorded="Worn board (BrainFlow), virtual chair",
         far_end=BoardEnd,
         lamps=STRETCH,
-        fields={"Data": "analog", "Layout": "{layout}"},
+        fields={"Data": "analog", "Layout from a file": "{layout}"},
     ),
 )
