@@ -7451,7 +7451,7 @@ export interface components {
         };
         News: {
             /** @enum {string} */
-            what: "adaptation" | "backups" | "calibration" | "comment" | "consent" | "controls" | "disk" | "drive" | "equipment" | "graphics" | "layouts" | "phones" | "record" | "screens" | "session" | "shares" | "test" | "trial";
+            what: "adaptation" | "backups" | "calibration" | "comment" | "consent" | "controls" | "deletion" | "disk" | "drive" | "equipment" | "graphics" | "layouts" | "phones" | "record" | "restoration" | "screens" | "session" | "shares" | "test" | "trial";
             /** @default null */
             patient: number | null;
             /** @default null */
