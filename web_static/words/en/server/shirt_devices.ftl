@@ -299,7 +299,7 @@ shirtdev-camera-closed = The camera is not in use.
 shirtdev-camera-silent =
     No camera sends: start it on the Shirt page or on the patient's screen{ $late ->
         [0] {""}
-       *[other] {" "}(its pictures arrived { $delay } s late, and a late one counts as none: close other programs on that device, or choose fewer frames a second)
+       *[other] {" "}(its pictures arrived { $delay } s late, and a late one is not used: close other programs on that device, or choose fewer frames a second)
     }{ $refused ->
         [0] {""}
         [one] , { $refused } message refused
@@ -471,7 +471,7 @@ shirtdev-sensors-battery = Battery almost empty: { $parts }. Charge it.
 ## Why frames are not used: each stands in brackets, behind what is left out.
 
 shirtdev-newest-not-stored = the number of the newest frame cannot be stored ({ $why }): free some disk space
-shirtdev-frame-late = its frames arrive { $delay } s late, and a late one counts as none: bring the shirt nearer to its receiver, and check what else uses the network
+shirtdev-frame-late = its frames arrive { $delay } s late, and a late one is not used: bring the shirt nearer to its receiver, and check what else uses the network
 shirtdev-frame-short = a datagram of { $size } bytes is too short to be a frame
 shirtdev-frame-foreign = what arrives does not come from a shirt
 shirtdev-frame-version = the shirt speaks version { $version } of the protocol, version { $understood } is understood
