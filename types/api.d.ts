@@ -7136,8 +7136,7 @@ export interface components {
         };
         LayoutDraftView: {
             layout: components["schemas"]["ShirtLayout"];
-            has_joints: boolean;
-            proposal: components["schemas"]["JointGroupsView"];
+            proposal: components["schemas"]["JointGroupsView"] | null;
         };
         LayoutsView: {
             own: components["schemas"]["ClinicLayoutView"][];
@@ -7550,7 +7549,7 @@ export interface components {
         };
         News: {
             /** @enum {string} */
-            what: "adaptation" | "backups" | "calibration" | "comment" | "consent" | "controls" | "disk" | "drive" | "equipment" | "graphics" | "phones" | "record" | "screens" | "session" | "shares" | "test" | "trial";
+            what: "adaptation" | "backups" | "calibration" | "comment" | "consent" | "controls" | "deletion" | "disk" | "drive" | "equipment" | "graphics" | "layouts" | "phones" | "record" | "restoration" | "screens" | "session" | "shares" | "test" | "trial";
             /** @default null */
             patient: number | null;
             /** @default null */
@@ -7657,6 +7656,8 @@ export interface components {
             deleted_days: number;
             /** @default 30 */
             replaced_days: number;
+            /** @default 64 */
+            layout_channels: number;
             /** @default 20 */
             upload_megabytes: number;
         };
@@ -8070,6 +8071,7 @@ export interface components {
                 };
             };
             numbers: components["schemas"]["Numbers"];
+            usual_joints: string[];
         };
         Refused: {
             detail: string;

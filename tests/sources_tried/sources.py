@@ -69,7 +69,7 @@ SOURCES = (
         recorded="Worn shirt on a cable, virtual chair",
         far_end=LinesEnd,
         lamps=STRETCH,
-        fields={"Serial line": "{line}", "Format": "lines", "Layout": "{layout}"},
+        fields={"Serial line": "{line}", "Format": "lines", "Layout from a file": "{layout}"},
     ),
     Source(
         name="slimevr",
@@ -122,6 +122,6 @@ SOURCES = (
         recorded="Worn board (BrainFlow), virtual chair",
         far_end=BoardEnd,
         lamps=STRETCH,
-        fields={"Data": "analog", "Layout": "{layout}"},
+        fields={"Data": "analog", "Layout from a file": "{layout}"},
     ),
 )

@@ -147,7 +147,7 @@ def test_frames_that_are_late_are_no_silence(opened, tmp_path, monkeypatch):
     assert not comes(1, 0.7)
     verdict, message = said(source.shirt)
     assert verdict == "late"
-    assert message.startswith("Frames arrive, but none counts (its frames arrive 0.7 s late")
+    assert message.startswith("Frames arrive, but none is used (its frames arrive 0.7 s late")
 
 
 def test_frames_that_were_used_before_are_no_silence(opened):

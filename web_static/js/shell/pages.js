@@ -27,7 +27,7 @@ export const PAGES = {
   attention: { below: "review" },
   session: {},
   adapt: { ofSession: true },
-  interface_test: { below: "drive" },
+  interface_test: { below: "drive", ofSession: true },
   plans: { below: "settings", withoutProgram: true }, // drawings are kept in this browser
   people: { below: "settings" },
   log: { below: "settings" },

@@ -14,7 +14,7 @@
  * @typedef {{element: VNode<any> | null, isNarrow?: boolean, read: () => unknown}} FormField narrow ones stand side by side
  * @typedef {(schema: FieldSchema, value: any, around: Surroundings) => FormField} Maker makes a field that shows `value`
  */
-import { h, useSignal } from "../../preact.js";
+import { h, useRef, useSignal } from "../../preact.js";
 import { t } from "../../texts.js";
 import { Field, Segments, Selection, Toggle } from "../../widgets/fields.js";
 import { unrounded } from "../../widgets/format.js";
@@ -209,27 +209,33 @@ function layoutFile(schema, value, { layout, layouts }) {
   const { title = "", description } = schema;
   /** @type {File | undefined} */
   let file;
-  let name = ""; // of a layout that was saved
-  const onChange = (/** @type {Event} */ { currentTarget }) =>
-    void (file = /** @type {HTMLInputElement} */ (currentTarget).files?.[0]);
-  const onChoose = (/** @type {string} */ chosen) => void (name = chosen);
-  const Saved = () => {
+  let name = ""; // of a layout that was saved; where there is one, there is no file
+  const Layout = () => {
+    const chosen = useSignal(name);
+    const input = useRef(/** @type {HTMLInputElement | null} */ (null));
+    const bring = (/** @type {Event} */ { currentTarget }) => {
+      file = /** @type {HTMLInputElement} */ (currentTarget).files?.[0];
+      if (file) name = chosen.value = "";
+    };
+    const choose = (/** @type {string} */ next) => {
+      name = chosen.value = next;
+      file = undefined;
+      if (input.current) input.current.value = "";
+    };
     const names = layouts.value.map((one) => one.name);
-    if (!names.length) return null;
-    const options = [
-      { value: "", label: t("source-layout-kept") },
-      ...names.map((one) => ({ value: one, label: one })),
-    ];
-    return h(Field, { label: t("source-layout-saved") }, h(Selection, { options, chosen: name, onChange: onChoose }));
+    const options = ["", ...names].map((one) => ({ value: one, label: one || t("source-layout-kept") }));
+    const saved = h(Selection, { options, chosen: chosen.value, onChange: choose });
+    const bringing = h("input", { type: "file", accept: ".json,application/json", onChange: bring, ref: input });
+    return h(
+      "div",
+      { class: "stack" },
+      names.length > 0 && h(Field, { label: t("source-layout-saved") }, saved),
+      h(Field, { label: title, hint: description }, bringing),
+    );
   };
-  const input = h("input", { type: "file", accept: ".json,application/json", onChange });
   const saved = () => layouts.peek().find((one) => one.name === name);
   const kept = () => (isOptional(schema) ? (value ?? null) : (layout.peek() ?? undefined));
-  const read = async () => (file ? readDocument(file) : (saved() ?? kept()));
-  return {
-    element: h("div", { class: "stack" }, h(Saved, {}), h(Field, { label: title, hint: description }, input)),
-    read,
-  };
+  return { element: h(Layout, {}), read: async () => (file ? readDocument(file) : (saved() ?? kept())) };
 }
 
 /** A line with a control. @param {string} title @param {VNode<any>} control */

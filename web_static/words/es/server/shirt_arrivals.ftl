@@ -10,7 +10,7 @@ arrivals-udp-nothing =
     }
 arrivals-slimevr-nothing =
     { $reach ->
-        [machine] A { $place } no llega nada en absoluto. Solo los programas de este equipo alcanzan esa dirección: los rastreadores buscan 0.0.0.0, que son todas las redes de este equipo.
+        [machine] A { $place } no llega nada en absoluto. Solo los programas de este equipo alcanzan esa dirección. Escuche en 0.0.0.0, que son todas las redes de este equipo, para que los rastreadores lo encuentren.
        *[network] A { $place } no llega nada en absoluto: los rastreadores están en otra red, o un cortafuegos no deja pasar sus paquetes. Conéctelos a la red de este equipo y abra en su cortafuegos el puerto UDP { $port }.
     }
 arrivals-slimevr-idle = Un rastreador responde, pero no llega de él ningún movimiento. Muévalo: algunos no envían nada mientras están del todo quietos. Si sigue así, apáguelo y enciéndalo, y compruebe si un cortafuegos retiene lo que este equipo le envía.
