@@ -109,7 +109,7 @@ soak: $(VENV)/.installed-test
 
 # Each driver of a shirt at its full rate against an emulator: SENSOR=UDP prints one and writes nothing; SENSOR_TIME in s.
 sensors: $(VENV)/.installed-test
-	PYTHONPATH=.:tests $(BIN)/python -m sensors $(if $(SENSOR_TIME),--seconds $(SENSOR_TIME)) \
+	PYTHONPATH=.:tests $(BIN)/python -m sensors --jobs 5 $(if $(SENSOR_TIME),--seconds $(SENSOR_TIME)) \
 		$(if $(SENSOR),--only "$(SENSOR)",--out docs/sensors-measured.md)
 
 # Each source of movements in a browser, from a demonstration to a scored trial: SOURCES="udp camera" prints these and

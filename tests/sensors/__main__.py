@@ -4,20 +4,25 @@ import argparse
 import os
 import sys
 import tempfile
+from collections.abc import Callable, Iterable
+from concurrent.futures import ProcessPoolExecutor
+from contextlib import ExitStack
+from functools import partial
+from multiprocessing import get_context
 from pathlib import Path
 
 import numpy as np
 from sensors.measure import Measured, measure
-from sensors.subjects import SUBJECTS
+from sensors.subjects import SUBJECTS, Subject
 from sources_tried.figures import line, section_of
 
 from app.lsl_library import LSL_MISSING, load_lsl
 from bench.tables import here
 
 HEAD = """# Drivers, measured
-Made by `make sensors`; do not edit. Each driver ran for {seconds:g} s at its full rate against an emulator (the
-program that plays the device) in another process, which sends the time at which it measures. What people buy, connect
-and press is in [Hardware](hardware.md).
+Made by `make sensors`; do not edit. Each driver ran for {seconds:g} s at its full rate, {beside}, against an emulator
+(the program that plays the device) in another process, which sends the time at which it measures. What people buy,
+connect and press is in [Hardware](hardware.md).
 {day}, commit {commit}, {machine}.
 """
 FOOT = """
@@ -51,38 +56,42 @@ def main() -> int:
     parser.add_argument("--seconds", type=float, default=600.0, help="how long each driver runs")
     parser.add_argument("--cuts", type=int, default=30, help="how often each is cut off")
     parser.add_argument("--junk", type=int, default=100_000, help="pieces of junk for each")
+    parser.add_argument("--jobs", type=int, default=1, help="how many drivers run side by side")
     parser.add_argument("--only", nargs="+", choices=names, default=names, help="these drivers")
     parser.add_argument("--out", type=Path, help="write the page of all drivers here")
     given = parser.parse_args()
-    if given.seconds <= 0 or given.cuts < 0 or given.junk < 1:
-        parser.error("--seconds and --junk must be above 0, --cuts not below")
+    if given.seconds <= 0 or given.cuts < 0 or given.junk < 1 or given.jobs < 1:
+        parser.error("--seconds, --junk and --jobs must be above 0, --cuts not below")
     if given.out and given.only != names:
         parser.error("--out writes all drivers: name none")
     found: list[Measured] = []
-    left_out: list[str] = []
     sys.stdout.write(table_head(given.cuts, given.junk))
-    with tempfile.TemporaryDirectory() as folder:
-        has_lsl = keep_lsl_local(Path(folder))
-        for subject in SUBJECTS:
-            if subject.title not in given.only:
-                continue
-            if subject.title == "LSL" and not has_lsl:
-                left_out.append(subject.title)
-                continue
-            try:
-                with tempfile.TemporaryDirectory() as place:
-                    one = measure(subject, given.seconds, given.cuts, given.junk, Path(place))
-            except Exception as error:  # whatever ends one driver, the others are measured
-                one = Measured(subject.title, subject.what, subject.rate, given.seconds)
-                one.failure = f"{type(error).__name__}: {error}"
+    with tempfile.TemporaryDirectory() as folder, ExitStack() as ended:
+        left_out = [] if keep_lsl_local(Path(folder)) else ["LSL"]
+        subjects = [one for one in SUBJECTS if one.title in given.only and one.title not in left_out]
+        each = partial(measured, seconds=given.seconds, cuts=given.cuts, junk=given.junk)
+        side_by_side: Callable[..., Iterable[Measured]] = map
+        if given.jobs > 1:  # each driver in a process of its own, whose processor time is its own
+            pool = ProcessPoolExecutor(given.jobs, get_context("spawn"), max_tasks_per_child=1)
+            side_by_side = ended.enter_context(pool).map
+        for one in side_by_side(each, subjects):
             found.append(one)
-            sys.stdout.write(row(found[-1]))
+            sys.stdout.write(row(one))
             sys.stdout.flush()
     if given.out:
         driven = section_of(given.out.read_text(encoding="utf-8")) if given.out.exists() else ""
-        written = page(found, left_out, given.seconds, given.cuts, given.junk)
+        written = page(found, left_out, given)
         given.out.write_text(written + driven, encoding="utf-8")
     return 0 if all(map(is_kept, found)) else 1
+
+
+def measured(subject: Subject, seconds: float, cuts: int, junk: int) -> Measured:
+    """Measure one driver; what ends the measurement stands in the answer, so that the others are measured."""
+    try:
+        with tempfile.TemporaryDirectory() as folder:
+            return measure(subject, seconds, cuts, junk, Path(folder))
+    except Exception as error:
+        return Measured(subject.title, subject.what, subject.rate, seconds, failure=f"{type(error).__name__}: {error}")
 
 
 def keep_lsl_local(folder: Path) -> bool:
@@ -97,13 +106,14 @@ def keep_lsl_local(folder: Path) -> bool:
     return True
 
 
-def page(found: list[Measured], left_out: list[str], seconds: float, cuts: int, junk: int) -> str:
-    """Return the page of what was measured."""
-    measured = here()
-    day = f"{measured.day.day} {measured.day:%B %Y}"
-    head = HEAD.format(seconds=seconds, day=day, commit=measured.commit, machine=measured.machine)
+def page(found: list[Measured], left_out: list[str], given: argparse.Namespace) -> str:
+    """Return the page of what was measured, as the options of the command asked."""
+    where = here()
+    day = f"{where.day.day} {where.day:%B %Y}"
+    beside = "one after another" if given.jobs == 1 else f"{given.jobs} side by side"
+    head = HEAD.format(seconds=given.seconds, beside=beside, day=day, commit=where.commit, machine=where.machine)
     missing = f"\nNot measured, without its library: {', '.join(left_out)}.\n" if left_out else ""
-    return "".join((head, "\n", table_head(cuts, junk), *map(row, found), missing, FOOT))
+    return "".join((head, "\n", table_head(given.cuts, given.junk), *map(row, found), missing, FOOT))
 
 
 def table_head(cuts: int, junk: int) -> str:

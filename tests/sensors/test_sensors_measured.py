@@ -1,6 +1,7 @@
 """What `make sensors` measures of each driver, for some frames, and the page that it writes."""
 
 import sys
+from argparse import Namespace
 from pathlib import Path
 from types import SimpleNamespace
 from typing import Any
@@ -98,7 +99,7 @@ def test_the_page_marks_what_is_lost_and_says_what_was_left_out() -> None:
     good = Measured("UDP", "52 sensors", 1000.0, 2.0, 2000, 2000, 0, np.full(2000, 1e-3), 0.05, 30, 30, 0.2, 0, "none")
     bad = Measured("phones", "6 phones", 60.0, 2.0, 720, 119, 1, np.full(119, 0.02), 0.05, 30, 29, 0.2, None, None)
     assert [is_kept(good), is_kept(bad)] == [True, False]
-    written = page([good, bad], ["LSL"], 2.0, 30, 100_000)
+    written = page([good, bad], ["LSL"], Namespace(seconds=2.0, cuts=30, junk=100_000, jobs=1))
     assert "| UDP | 52 sensors | 1000 | 2,000 | 2,000 | 0 | 1.0 | 1.0 | 50.0 | 30 found, back after 0.20 s" in written
     assert "| **1** | 20.0 |" in written
     assert "Not measured, without its library: LSL." in written
