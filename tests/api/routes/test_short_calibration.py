@@ -22,10 +22,13 @@ def use_camera(clinic: Clinic) -> None:
 
 
 @pytest.fixture
-def before_camera(in_session: Clinic) -> Clinic:
-    """Return a demonstration whose shirt is a camera."""
-    use_camera(in_session)
-    return in_session
+def before_camera(signed_in: Clinic) -> Clinic:
+    """Return a demonstration whose shirt is a camera, which records who has consented."""
+    patient = signed_in.begin_session()["id"]
+    with signed_in.rows() as rows:
+        rows.consent(patient, "recording")
+    use_camera(signed_in)
+    return signed_in
 
 
 def test_a_demonstration_begins_with_the_short_one_and_drives_by_its_joints(before_camera: Clinic) -> None:
