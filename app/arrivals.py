@@ -15,9 +15,10 @@ ArrivalVerdict = Literal[
     "disk",  # frames that do not count, because the number of the newest one cannot be stored
     "senders",  # frames of another sender
     "rate",  # frames at another rate than the one that is set
+    "partial",  # signals of some sensors on the body, and none of others
     "unplaced",  # signals of sensors that are on no part of the body
     "moving",  # signals of sensors that were not at rest yet
-    "idle",  # signs of life of sensors, and no movement
+    "idle",  # signs of life of sensors, and no movement; of a camera, one picture again and again
     "nobody",  # pictures without a person
     "unopened",  # nothing, for the device cannot be opened
     "gone",  # nothing more: the device is gone, or was closed

@@ -152,10 +152,19 @@ class ShirtLayout(Document):
         """Whether the value of each channel may stay constant, in the order of a frame's values (safety S5)."""
         return [channel.liveness is not None for channel in self.channels]
 
+    def fits(self, other: "ShirtLayout") -> bool:
+        """Return whether a calibration in one of both layouts decodes, and watches over, the frames of the other."""
+        return self.channel_names == other.channel_names and self.may_stay_constant == other.may_stay_constant
+
     @property
     def joint_names(self) -> list[str]:
         """Names in the order of a profile's joints."""
         return [joint.name for joint in self.joints]
+
+    @property
+    def joint_labels(self) -> dict[str, str]:
+        """What the layout itself calls each joint, by name."""
+        return {joint.name: joint.label for joint in self.joints}
 
     @property
     def joint_titles(self) -> Mapping[str, Text | str]:

@@ -17,6 +17,7 @@ MAX_GESTURES = MAX_JOINTS
 NO_CUE = -1
 LONGEST_SAMPLE = 512  # bytes of what a page that is a sensor sends at once
 FRESH_PERIODS = 3.0  # periods of a sensor for which its newest sample counts; after them its channels are NaN
+IDLE_RATE = 50.0  # ticks a second that the control loop makes at least, with or without frames
 ALIVE = 0.5  # s without a frame or a pose after which a device counts as silent, in sentences and in the status
 
 

@@ -1,4 +1,4 @@
-"""Refuses invisible characters in text, because they change how other text looks."""
+"""Refuses invisible characters in text, because they change how other text looks, or puts spaces in their place."""
 
 import unicodedata
 from collections.abc import Collection
@@ -26,6 +26,15 @@ def visible_line(text: str) -> str:
 def visible_lines(text: str) -> str:
     """Return a text with line breaks and tabs unchanged; raise ValueError as `visible_line` does."""
     return _check_visible(text, LINE_BREAKS)
+
+
+def one_line(text: str, longest: int | None = None) -> str:
+    """Return what others wrote, such as a library of an error, in one printable line of at most `longest` characters.
+
+    Spaces stand for what cannot be printed; the line may be empty.
+    """
+    printable = "".join(letter if letter.isprintable() else " " for letter in text)
+    return " ".join(printable.split())[:longest].rstrip()
 
 
 def _check_visible(text: str, allowed: Collection[str]) -> str:

@@ -10,6 +10,7 @@ from hypothesis import strategies as st
 from pydantic import BaseModel
 
 from app.texts import (
+    LANGUAGES,
     Figure,
     Text,
     from_document,
@@ -114,7 +115,7 @@ def test_what_is_stored_is_the_same_text_afterwards(value):
     assert pickle.loads(pickle.dumps(text)) == text
 
 
-@given(VALUES, st.sampled_from(["en", "es", "de"]))
+@given(VALUES, st.sampled_from(LANGUAGES))
 def test_every_value_can_be_shown(value, language):
     with reader_language(language):
         assert str(Text("drive-no-path", path=value)) != "drive-no-path"

@@ -1358,6 +1358,82 @@ export interface paths {
         patch?: never;
         trace?: never;
     };
+    "/api/v1/equipment/files/overview": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        get?: never;
+        put?: never;
+        post: {
+            parameters: {
+                query?: never;
+                header?: never;
+                path?: never;
+                cookie?: never;
+            };
+            requestBody: {
+                content: {
+                    "multipart/form-data": components["schemas"]["Body_view_recording_api_v1_equipment_files_overview_post"];
+                };
+            };
+            responses: {
+                200: {
+                    headers: {
+                        [name: string]: unknown;
+                    };
+                    content: {
+                        "application/json": components["schemas"]["RecordingOverview"];
+                    };
+                };
+            };
+        };
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
+    "/api/v1/equipment/files/import": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        get?: never;
+        put?: never;
+        post: {
+            parameters: {
+                query?: never;
+                header?: never;
+                path?: never;
+                cookie?: never;
+            };
+            requestBody: {
+                content: {
+                    "multipart/form-data": components["schemas"]["Body_import_recording_api_v1_equipment_files_import_post"];
+                };
+            };
+            responses: {
+                201: {
+                    headers: {
+                        [name: string]: unknown;
+                    };
+                    content: {
+                        "application/json": components["schemas"]["StoredRecording"];
+                    };
+                };
+            };
+        };
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
     "/api/v1/chairs": {
         parameters: {
             query?: never;
@@ -1766,7 +1842,11 @@ export interface paths {
                 path?: never;
                 cookie?: never;
             };
-            requestBody?: never;
+            requestBody?: {
+                content: {
+                    "application/json": components["schemas"]["CalibrationBeginning"] | null;
+                };
+            };
             responses: {
                 200: {
                     headers: {
@@ -5906,7 +5986,7 @@ export interface components {
         };
         ArrivalsMoment: {
             /** @enum {string} */
-            verdict: "arrives" | "waiting" | "nothing" | "foreign" | "refused" | "late" | "repeated" | "disk" | "senders" | "rate" | "unplaced" | "moving" | "idle" | "nobody" | "unopened" | "gone" | "ended";
+            verdict: "arrives" | "waiting" | "nothing" | "foreign" | "refused" | "late" | "repeated" | "disk" | "senders" | "rate" | "partial" | "unplaced" | "moving" | "idle" | "nobody" | "unopened" | "gone" | "ended";
             message: string;
             accepted: number;
             left_out: number;
@@ -6042,6 +6122,16 @@ export interface components {
             /** @default {} */
             options?: string;
         };
+        Body_import_recording_api_v1_equipment_files_import_post: {
+            files: string[];
+            /** @default {} */
+            options?: string;
+        };
+        Body_view_recording_api_v1_equipment_files_overview_post: {
+            files: string[];
+            /** @default {} */
+            options?: string;
+        };
         BoundGestures: {
             gestures: components["schemas"]["NamedGesture"][];
             gain: number;
@@ -6097,6 +6187,9 @@ export interface components {
             use: "none" | "same" | "changed";
             layout: components["schemas"]["ShirtLayout"];
         };
+        CalibrationBeginning: {
+            short: boolean;
+        };
         CalibrationProfile: {
             /**
              * @default bodydrive-profile
@@ -6136,6 +6229,7 @@ export interface components {
             may_drive_now: boolean;
             earlier: components["schemas"]["EarlierView"] | null;
             may_fit_earlier: boolean;
+            short: boolean | null;
         };
         CameraChoice: {
             view?: ("eye" | "chase" | "top" | "free") | null;
@@ -6944,6 +7038,10 @@ export interface components {
             name: string;
             label: string;
         };
+        JointChoice: {
+            name: string;
+            label: string;
+        };
         JointGroupsView: {
             message: string;
             groups: number[][];
@@ -7042,8 +7140,7 @@ export interface components {
         };
         LayoutDraftView: {
             layout: components["schemas"]["ShirtLayout"];
-            has_joints: boolean;
-            proposal: components["schemas"]["JointGroupsView"];
+            proposal: components["schemas"]["JointGroupsView"] | null;
         };
         LayoutsView: {
             own: components["schemas"]["ClinicLayoutView"][];
@@ -7456,7 +7553,7 @@ export interface components {
         };
         News: {
             /** @enum {string} */
-            what: "adaptation" | "backups" | "calibration" | "comment" | "consent" | "controls" | "disk" | "drive" | "equipment" | "graphics" | "phones" | "record" | "screens" | "session" | "shares" | "test" | "trial";
+            what: "adaptation" | "backups" | "calibration" | "comment" | "consent" | "controls" | "deletion" | "disk" | "drive" | "equipment" | "graphics" | "layouts" | "phones" | "record" | "restoration" | "screens" | "session" | "shares" | "test" | "trial";
             /** @default null */
             patient: number | null;
             /** @default null */
@@ -7563,6 +7660,8 @@ export interface components {
             deleted_days: number;
             /** @default 30 */
             replaced_days: number;
+            /** @default 64 */
+            layout_channels: number;
             /** @default 20 */
             upload_megabytes: number;
         };
@@ -7937,6 +8036,37 @@ export interface components {
             /** @default true */
             loop?: boolean;
         };
+        RecordingColumn: {
+            name: string;
+            unit: string;
+            /** @enum {string} */
+            role: "time" | "channel" | "other-time" | "counter" | "text" | "empty" | "constant" | "unused";
+            least: number | null;
+            most: number | null;
+            missing: number | null;
+            joint: string | null;
+        };
+        RecordingOverview: {
+            name: string;
+            kind: string;
+            dialect: string;
+            parts: components["schemas"]["RecordingPart"][];
+            rows: number | null;
+            columns: components["schemas"]["RecordingColumn"][];
+            time: string | null;
+            unit: ("s" | "ms" | "us" | "ns" | "min" | "h" | "d") | null;
+            is_stated: boolean;
+            rate: number | null;
+            seconds: number | null;
+            message: string;
+            problem: string;
+            joints: components["schemas"]["JointChoice"][];
+        };
+        RecordingPart: {
+            name: string;
+            channels: number;
+            samples: number;
+        };
         Reference: {
             measures: components["schemas"]["MeasureCatalogue"];
             limits: {
@@ -7945,6 +8075,7 @@ export interface components {
                 };
             };
             numbers: components["schemas"]["Numbers"];
+            usual_joints: string[];
         };
         Refused: {
             detail: string;
@@ -8382,6 +8513,9 @@ export interface components {
         StopCount: {
             stops: number;
         };
+        StoredRecording: {
+            name: string;
+        };
         StoryScale: {
             name: string;
             total: number;
@@ -8720,10 +8854,13 @@ export type BluetoothConfig = components['schemas']['BluetoothConfig'];
 export type BodyBringFileApiV1EquipmentFilesPost = components['schemas']['Body_bring_file_api_v1_equipment_files_post'];
 export type BodyBringModelApiV1ModelsPost = components['schemas']['Body_bring_model_api_v1_models_post'];
 export type BodyImportFilesApiV1FloorplansImportPost = components['schemas']['Body_import_files_api_v1_floorplans_import_post'];
+export type BodyImportRecordingApiV1EquipmentFilesImportPost = components['schemas']['Body_import_recording_api_v1_equipment_files_import_post'];
+export type BodyViewRecordingApiV1EquipmentFilesOverviewPost = components['schemas']['Body_view_recording_api_v1_equipment_files_overview_post'];
 export type BoundGestures = components['schemas']['BoundGestures'];
 export type Box = components['schemas']['Box'];
 export type BrainFlowConfig = components['schemas']['BrainFlowConfig'];
 export type BundledLayoutView = components['schemas']['BundledLayoutView'];
+export type CalibrationBeginning = components['schemas']['CalibrationBeginning'];
 export type CalibrationProfile = components['schemas']['CalibrationProfile'];
 export type CalibrationView = components['schemas']['CalibrationView'];
 export type CameraChoice = components['schemas']['CameraChoice'];
@@ -8821,6 +8958,7 @@ export type InterfaceVerdicts = components['schemas']['InterfaceVerdicts'];
 export type InvitationCode = components['schemas']['InvitationCode'];
 export type InvitedView = components['schemas']['InvitedView'];
 export type Joint = components['schemas']['Joint'];
+export type JointChoice = components['schemas']['JointChoice'];
 export type JointGroupsView = components['schemas']['JointGroupsView'];
 export type JointLines = components['schemas']['JointLines'];
 export type JointMap = components['schemas']['JointMap'];
@@ -8919,6 +9057,9 @@ export type Quartiles = components['schemas']['Quartiles'];
 export type RecordTime = components['schemas']['RecordTime'];
 export type RecordedConfig = components['schemas']['RecordedConfig'];
 export type RecordedHeadConfig = components['schemas']['RecordedHeadConfig'];
+export type RecordingColumn = components['schemas']['RecordingColumn'];
+export type RecordingOverview = components['schemas']['RecordingOverview'];
+export type RecordingPart = components['schemas']['RecordingPart'];
 export type Reference = components['schemas']['Reference'];
 export type Refused = components['schemas']['Refused'];
 export type ReplacedView = components['schemas']['ReplacedView'];
@@ -8966,6 +9107,7 @@ export type StartView = components['schemas']['StartView'];
 export type StatusView = components['schemas']['StatusView'];
 export type StepChoice = components['schemas']['StepChoice'];
 export type StopCount = components['schemas']['StopCount'];
+export type StoredRecording = components['schemas']['StoredRecording'];
 export type StoryScale = components['schemas']['StoryScale'];
 export type StoryView = components['schemas']['StoryView'];
 export type SuggestedVocabulary = components['schemas']['SuggestedVocabulary'];

@@ -127,9 +127,8 @@ def _add_what_runs(parts: Parts, start_process: StartProcess) -> None:
     limits = parts.add(ClinicLimits, ClinicLimits(database, control, notify))
     priors = (feature.prior(database) for feature in features().values() if feature.prior is not None)
     prior: OthersPrior = next(priors, NobodyElse())
-    calibration = parts.add(
-        CalibrationFlow, CalibrationFlow(database, control, equipment, runs, notify, computing, prior)
-    )
+    flow = CalibrationFlow(database, control, equipment, runs, notify, computing, prior, demonstration=settings.demo)
+    calibration = parts.add(CalibrationFlow, flow)
     trials = parts.add(TrialFlow, TrialFlow(database, control, runs, notify, computing))
     drives = parts.add(RealDriveFlow, RealDriveFlow(database, control, runs, notify, computing))
     flows = (feature.flow for feature in features().values() if feature.flow is not None)

@@ -40,6 +40,7 @@ class CalibrationView(Document):
     may_drive_now: bool
     earlier: EarlierView | None  # can be fitted to how the shirt sits today, in place of a new calibration
     may_fit_earlier: bool
+    short: bool | None  # whether it is the short calibration; null: this shirt has none
 
 
 def view_of(progress: Progress) -> CalibrationView:
@@ -54,12 +55,13 @@ def view_of(progress: Progress) -> CalibrationView:
         may_drive_now=progress.may_drive_now,
         earlier=None if progress.earlier is None else EarlierView.of(progress.earlier),
         may_fit_earlier=progress.may_fit_earlier,
+        short=progress.short,
     )
 
 
 def _steps(progress: Progress) -> list[dict[str, Any]]:
     waiting = ("waiting", "")
-    labels = {} if progress.layout is None else {joint.name: joint.label for joint in progress.layout.joints}
+    labels = {} if progress.layout is None else progress.layout.joint_labels
     steps: list[dict[str, Any]] = [
         {
             "id": step.id,
@@ -116,7 +118,7 @@ def _map(linear: LinearMap | None, layout: ShirtLayout) -> dict[str, Any] | None
 
 
 def _result(progress: Progress, profile: CalibrationProfile) -> dict[str, Any]:
-    labels = {joint.name: joint.label for joint in profile.layout.joints}
+    labels = profile.layout.joint_labels
     steps = {step.joint: step.id for step in progress.steps if step.joint is not None}
     fields = {"name", "evr", "signal_to_noise", "repeatability", "angle_deg"}
     joints = [

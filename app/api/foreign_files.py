@@ -39,12 +39,17 @@ def refusal(error: ValueError, places: Sequence[str] = ()) -> HTTPException:
 
     `places` are removed from its sentence, which begins with a capital letter unless a file's name stands in front.
     """
-    sentence = str(error).removesuffix(".")
+    sentence = str(error)
     for place in places:
         sentence = sentence.replace(place, "")
+    return HTTPException(503 if isinstance(error, ReadingTimeoutError) else 422, whole_sentence(sentence))
+
+
+def whole_sentence(sentence: str) -> str:
+    """Return a sentence with a capital letter, unless a file's name stands in front, and with its full stop."""
     if not FILE_IN_FRONT.match(sentence):
         sentence = sentence[:1].upper() + sentence[1:]
-    return HTTPException(503 if isinstance(error, ReadingTimeoutError) else 422, f"{sentence}.")
+    return f"{sentence.removesuffix('.')}."
 
 
 def read_or_refuse(module: str, question: dict[str, Any], places: Sequence[str] = ()) -> dict[str, Any]:

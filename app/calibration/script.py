@@ -3,6 +3,7 @@
 from dataclasses import dataclass
 from typing import Literal
 
+from app.calibration.vocabulary import UPRIGHT_VOCABULARY
 from app.cues import Cue
 from app.layout import Joint, ShirtLayout, joint_title
 from app.texts import Text
@@ -11,6 +12,7 @@ READY = 2.0  # s of countdown before each step
 REST = 3.0  # s
 FREE = 10.0  # s, as in the paper
 REPETITIONS = 3  # of each prompted movement
+SHORT_REPETITIONS = 2  # of each in the short calibration: too few for a guided map
 MOVE = 1.0  # s
 RETURN = 1.5  # s: slower than the movement, so that the fit can tell the two apart
 WAY_BACK = RETURN / MOVE  # duration of the way back over that of the movement, also assumed where no cue gives it
@@ -35,7 +37,24 @@ class Step:
 
 def calibration_script(layout: ShirtLayout) -> tuple[Step, ...]:
     """Return the steps for a shirt: rest, free movement, then the prompts of each joint."""
-    return (_rest(), _free(), *(_prompt(joint) for joint in layout.joints))
+    free = _free(Text("calibration-free-instruction"))
+    return (_rest(), free, *(_prompt(joint, REPETITIONS) for joint in layout.joints))
+
+
+def short_script(layout: ShirtLayout) -> tuple[Step, ...]:
+    """Return the steps of the short calibration, which prompts only the joints of the four controls.
+
+    Each is the step of `calibration_script` with the same id, without its last repetitions. The free movement is one of
+    the prompted joints: the main directions of their maps come from it.
+    """
+    free = _free(Text("calibration-free-short-instruction"))
+    prompted = (joint for joint in layout.joints if joint.name in UPRIGHT_VOCABULARY)
+    return (_rest(), free, *(_prompt(joint, SHORT_REPETITIONS) for joint in prompted))
+
+
+def has_short_script(layout: ShirtLayout) -> bool:
+    """Return whether a layout has all joints of the short calibration."""
+    return UPRIGHT_VOCABULARY.keys() <= set(layout.joint_names)
 
 
 def movement_instruction(joint: Joint) -> Text:
@@ -64,7 +83,7 @@ def _rest() -> Step:
     )
 
 
-def _free() -> Step:
+def _free(instruction: Text) -> Step:
     cues = (
         Cue(start=0.0, end=READY, kind="ready"),
         Cue(start=READY, end=READY + FREE, kind="free"),
@@ -74,15 +93,15 @@ def _free() -> Step:
         kind="free",
         joint=None,
         title=Text("calibration-free"),
-        instruction=Text("calibration-free-instruction"),
+        instruction=instruction,
         duration=READY + FREE,
         cues=cues,
     )
 
 
-def _prompt(joint: Joint) -> Step:
+def _prompt(joint: Joint, repetitions: int) -> Step:
     cues = [Cue(start=0.0, end=READY, kind="ready", joint=joint.name)]
-    for repetition in range(1, REPETITIONS + 1):
+    for repetition in range(1, repetitions + 1):
         start = cues[-1].end
         cues += [
             Cue(start=start, end=start + MOVE, kind="move", joint=joint.name, repetition=repetition),
@@ -106,7 +125,7 @@ def _prompt(joint: Joint) -> Step:
         kind="prompt",
         joint=joint.name,
         title=movement_instruction(joint),
-        instruction=Text("calibration-prompt-instruction", count=REPETITIONS),
+        instruction=Text("calibration-prompt-instruction", count=repetitions),
         duration=cues[-1].end,
         cues=tuple(cues),
     )

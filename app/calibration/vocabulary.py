@@ -133,11 +133,20 @@ PAPER_VOCABULARY: dict[str, Control] = {
 }
 STOP_TOGETHER = ("right_elbow", "left_elbow")
 
+# Without the elbows: for a camera before somebody who moves shoulders, trunk and head.
+UPRIGHT_VOCABULARY: dict[str, Control] = {
+    "trunk": "u1+",
+    "head": "u1-",
+    "right_shoulder": "u2+",
+    "left_shoulder": "u2-",
+}
+
 
 def standard_parameters(profile: CalibrationProfile) -> DriveParameters:
-    """Return the paper's vocabulary on `profile`, with the dead-zones and fulls that the calibration suggests.
+    """Return the standard vocabulary on `profile`, with the dead-zones and fulls that the calibration suggests.
 
-    A joint whose direction is not known is not bound, unless no joint's direction is: without prompts, only other
+    It is that of the paper, or the one of trunk, head and shoulders where these four were calibrated and neither elbow
+    was. A joint whose direction is not known is not bound, unless no joint's direction is: without prompts, only other
     people's maps have one.
     """
     gestures = tuple(
@@ -146,9 +155,9 @@ def standard_parameters(profile: CalibrationProfile) -> DriveParameters:
     )
     directed = [joint.name for joint in profile.joints if joint.has_direction]
     names = directed or [gesture.name for gesture in gestures]
-    bindings = [
-        Binding(control=control, gestures=(name,)) for name, control in PAPER_VOCABULARY.items() if name in names
-    ]
+    is_upright = UPRIGHT_VOCABULARY.keys() <= set(directed) and not any(name in directed for name in STOP_TOGETHER)
+    vocabulary = UPRIGHT_VOCABULARY if is_upright else PAPER_VOCABULARY
+    bindings = [Binding(control=control, gestures=(name,)) for name, control in vocabulary.items() if name in names]
     if all(name in names for name in STOP_TOGETHER):
         bindings.append(Binding(control="stop", gestures=STOP_TOGETHER))
     return DriveParameters(profile=profile, gestures=gestures, bindings=tuple(bindings))

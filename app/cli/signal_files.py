@@ -2,6 +2,7 @@
 
 import io
 import json
+from collections.abc import Mapping
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated
 
@@ -13,6 +14,7 @@ from app.cli.help_text import help_text
 from app.cli.output import warn, write_output
 from app.cli.signal_options import (
     ChannelNames,
+    PartName,
     SampleRate,
     TimeName,
     TimeUnit,
@@ -48,6 +50,7 @@ def show(
     unit: TimeUnit = None,
     rate: SampleRate = None,
     channels: ChannelNames = None,
+    part: PartName = None,
     out: Annotated[Path | None, typer.Option(help=help_text("cli-help-signals-out"))] = None,
     as_json: AsJson = False,
 ) -> None:
@@ -61,7 +64,7 @@ def show(
 
     if out is not None and out.suffix != PARQUET:
         raise InputError(Text("cli-signals-suffix", file=str(out)))
-    options = reading_options(time, unit, rate, channels)
+    options = reading_options(time, unit, rate, channels, part)
     try:
         shirt = read_layout(layout) if layout is not None else layout_beside(file)
         found = overview(file, shirt, options)
@@ -71,7 +74,7 @@ def show(
         if found.signals is None:
             raise signals_refused(ValueError(found.problem))
         write_output(out, _content_of(found.signals), file)
-    joints = {} if found.signals is None else _joints(file, shirt, found.signals)
+    joints = {} if found.signals is None else _joints(shirt, found.signals)
     if as_json:
         typer.echo(json.dumps(_document(file, found, joints), allow_nan=False))
         return
@@ -81,19 +84,19 @@ def show(
         typer.echo(Text("cli-file-written", file=str(out)))
 
 
-def _joints(file: Path, layout: "ShirtLayout | None", signals: "Signals") -> dict[str, str]:
-    """Return the joint of each channel where a layout, or the names, say it."""
-    from app.hardware.shirt.playback import layout_from_names
+def _joints(layout: "ShirtLayout | None", signals: "Signals") -> Mapping[str, str]:
+    """Return the joint of each channel, as a layout or the names say it."""
+    from app.signals.joint_names import proposed_joints
 
-    try:
-        shirt = layout or layout_from_names(file, signals.channel_names)
-    except ValueError:
-        return {}
-    return {name: channel.joint for name, channel in zip(signals.channel_names, shirt.channels, strict=True)}
+    if layout is None:
+        return proposed_joints(signals.channel_names)
+    return {name: channel.joint for name, channel in zip(signals.channel_names, layout.channels, strict=True)}
 
 
-def _lines(found: "FileOverview", joints: dict[str, str]) -> list[str]:
+def _lines(found: "FileOverview", joints: Mapping[str, str]) -> list[str]:
     """Return the table of columns, then how the file is read."""
+    from app.signals.file_table import listed
+
     rows = [
         (
             column.name,
@@ -110,6 +113,8 @@ def _lines(found: "FileOverview", joints: dict[str, str]) -> list[str]:
     lines = [*table_lines([titles, *rows], left=(0, 1, 2, 3)), ""]
     if found.dialect is not None and found.dialect.sentence:
         lines.append(str(found.dialect.sentence))
+    if found.parts:
+        lines.append(str(Text("cli-signals-parts", names=listed([part.name for part in found.parts]))))
     signals = found.signals
     if signals is None:
         return lines
@@ -128,12 +133,14 @@ def _lines(found: "FileOverview", joints: dict[str, str]) -> list[str]:
     return lines
 
 
-def _document(file: Path, found: "FileOverview", joints: dict[str, str]) -> dict[str, object]:
+def _document(file: Path, found: "FileOverview", joints: Mapping[str, str]) -> dict[str, object]:
     """Return the object of `--json`."""
     signals, dialect = found.signals, found.dialect
     time = None if found.time is None else {"column": found.time, "unit": found.unit, "stated": found.is_stated}
     return {
         "file": str(file),
+        "kind": found.kind,
+        "parts": [part.name for part in found.parts],
         "rows": found.rows,
         "dialect": None if dialect is None else dialect._asdict(),
         "columns": [
@@ -152,7 +159,7 @@ def _document(file: Path, found: "FileOverview", joints: dict[str, str]) -> dict
         "sample_rate": None if signals is None else signals.sample_rate,
         "seconds": None if signals is None else float(signals.t[-1] - signals.t[0]),
         "channels": None if signals is None else signals.channel_names,
-        "joints": joints,
+        "joints": dict(joints),
         "message": None if signals is None or signals.damage is None else str(signals.damage),
         "problem": None if found.problem is None else str(found.problem),
     }

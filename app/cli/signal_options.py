@@ -17,11 +17,14 @@ SampleRate = Annotated[float | None, typer.Option("--rate", help=help_text("cli-
 ChannelNames = Annotated[
     str | None, typer.Option("--channels", metavar="A,B,...", help=help_text("cli-help-signals-channels"))
 ]
+PartName = Annotated[str | None, typer.Option("--part", metavar="NAME", help=help_text("cli-help-signals-part"))]
 # Refusals that a person can answer with these options.
 TO_CORRECT = ("signals-time-", "signals-unit-", "signals-uneven", "signals-shared-uneven", "signals-bursts-uneven")
 
 
-def reading_options(time: str | None, unit: str | None, rate: float | None, channels: str | None) -> "ReadingOptions":
+def reading_options(
+    time: str | None, unit: str | None, rate: float | None, channels: str | None, part: str | None = None
+) -> "ReadingOptions":
     """Return what the options say, or raise InputError with the option that is wrong."""
     from app.signals.sampling_times import FASTEST, SLOWEST
     from app.signals.signals import ReadingOptions
@@ -31,7 +34,7 @@ def reading_options(time: str | None, unit: str | None, rate: float | None, chan
     names = None if channels is None else tuple(name.strip() for name in channels.split(","))
     if names is not None and (not all(names) or len(set(names)) < len(names)):
         raise InputError(Text("cli-signals-channels", channels=channels or ""))
-    return ReadingOptions(time=time, unit=time_unit(unit), rate=rate, channels=names)
+    return ReadingOptions(time=time, unit=time_unit(unit), rate=rate, channels=names, part=part)
 
 
 def time_unit(unit: str | None) -> str | None:

@@ -30,9 +30,14 @@ def checked_line(text: str) -> str:
 
 def checked_cable(line: str) -> str:
     """Return the valid name of a serial line that is a cable; ValueError for one over Bluetooth."""
-    if line.startswith("/dev/rfcomm") or "bluetooth" in line.lower():
+    if is_radio(line):
         raise ValueError(Text("device-no-cable", given=_quoted(line)))
     return line
+
+
+def is_radio(line: str) -> bool:
+    """Return whether a serial line is one over Bluetooth by its name."""
+    return line.startswith("/dev/rfcomm") or "bluetooth" in line.lower()
 
 
 def _is_host(text: str) -> bool:

@@ -17,6 +17,7 @@ from app.layout import ShirtLayout
 from app.messages import ChairState, HeadPose, SensorFrame, Tick
 from app.speed_limits import Speeds
 from app.texts import Text
+from app.visible_text import one_line
 from app.world.floorplan import FloorPlan, PrescribedPath
 
 ORIGIN = Pose(0.0, 0.0, 0.0)
@@ -29,8 +30,7 @@ class HardwareError(Exception):
 
 def library_message(error: Exception) -> str:
     """Return what the library of a device says of an error: printable, in one short line, never empty."""
-    message = "".join(letter if letter.isprintable() else " " for letter in str(error))
-    return " ".join(message.split())[:LONGEST_MESSAGE].strip() or type(error).__name__
+    return one_line(str(error), LONGEST_MESSAGE) or type(error).__name__
 
 
 @dataclass(slots=True)
@@ -172,10 +172,10 @@ class SearchingShirt(Protocol):
 
 @runtime_checkable
 class ReportingShirt(Protocol):
-    """A shirt that says what arrives at it, and why nothing does."""
+    """A shirt that says what arrives at it, or why nothing does and what to do; also while it is closed."""
 
     def arrivals(self) -> Arrivals:
-        """Return what arrives now; asked twice a second on the loop, so that it never waits."""
+        """Return what arrives now; the loop asks at least twice a second, so that this must not wait."""
         ...
 
 

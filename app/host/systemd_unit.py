@@ -11,6 +11,7 @@ from pathlib import Path
 from app.files import write_atomically
 from app.refusals import Refusal
 from app.texts import Text
+from app.visible_text import one_line
 
 NAME = "bodydrive.service"
 SYSTEM_FOLDER = Path("/etc/systemd/system")
@@ -78,7 +79,7 @@ def install(text: str, *, system: bool) -> list[Text]:
     for command in (["daemon-reload"], ["enable", "--now", NAME]):
         result = subprocess.run([*systemctl_command, *command], capture_output=True, text=True, check=False)
         if result.returncode != 0:
-            why = " ".join(result.stderr.split()) or Text("host-service-exit-code", code=result.returncode)
+            why = one_line(result.stderr) or Text("host-service-exit-code", code=result.returncode)
             raise Refusal(Text("host-service-refused", file=str(file), why=why))
     if system:
         return [Text("host-service-installed", file=str(file), command=f"systemctl status {NAME}")]

@@ -48,13 +48,13 @@ class ChannelHealth:
         self._within = np.empty((2, len(low)), dtype=np.bool_)
         self._all_within = np.ones((2, len(low)), dtype=np.bool_).tobytes()
         self._watched = watched
-        self._trembling = watched & ~np.array(profile.layout.may_stay_constant, dtype=np.bool_)
+        self._must_change = watched & ~np.array(profile.layout.may_stay_constant, dtype=np.bool_)
         self._flat_after = max(2, round(FLAT_TIME * sample_rate))
         self._check_every = self._flat_after // 2
         self._suspect_after = self._flat_after - self._check_every
         noise = np.array(profile.noise)
         # Signal units, -1 where no range is too small.
-        self._least_range = np.where(self._trembling & (noise > 0.0), STUCK_SHARE * noise, -1.0)
+        self._least_range = np.where(self._must_change & (noise > 0.0), STUCK_SHARE * noise, -1.0)
         self._has_noise = bool((self._least_range > 0.0).any())
         self._stuck_after = max(FEWEST_STUCK, round(STUCK_TIME * sample_rate))
         self._samples = min(SAMPLES, self._stuck_after // 2)
@@ -89,7 +89,7 @@ class ChannelHealth:
         self._recent.append(values)
         if self._still is not None:
             self._still += 1
-            self._still *= self._trembling & (values == self._recent[-2])
+            self._still *= self._must_change & (values == self._recent[-2])
         self._until_check -= 1
         if not self._until_check:
             self._until_check = self._check_every
@@ -158,7 +158,7 @@ class ChannelHealth:
         if self._still is not None:
             if self._still.max() < self._suspect_after:
                 self._still = None
-        elif (self._trembling & (values == self._recent[-1 - self._check_every])).any():
+        elif (self._must_change & (values == self._recent[-1 - self._check_every])).any():
             still = self._count_back()
             if still.max() >= self._suspect_after:
                 self._still = still
@@ -169,7 +169,7 @@ class ChannelHealth:
         It is 0 for those that may stay constant.
         """
         backwards = np.array(list(islice(reversed(self._recent), self._flat_after + 1)))
-        same = (backwards[:-1] == backwards[1:]) & self._trembling
+        same = (backwards[:-1] == backwards[1:]) & self._must_change
         return np.asarray(np.logical_and.accumulate(same).sum(axis=0), dtype=np.int32)
 
     def block(self, values: NDArray[np.float64], before: NDArray[np.float64] | None) -> NDArray[np.bool_]:
@@ -188,12 +188,12 @@ class ChannelHealth:
         if not ((values.min(axis=0) >= self._low) & (values.max(axis=0) <= self._high))[self._watched].all():
             wrong = ~((values >= self._low) & (values <= self._high))
         sampled = frames[:: self._check_every]  # two neighbours of these lie in every stretch that is long enough
-        if ((sampled[1:] == sampled[:-1]) & self._trembling).any():
+        if ((sampled[1:] == sampled[:-1]) & self._must_change).any():
             rows = np.arange(len(frames), dtype=np.int32)[:, np.newaxis]
             changed = np.ones(frames.shape, dtype=np.bool_)
             np.not_equal(frames[1:], frames[:-1], out=changed[1:])
             flat = rows - np.maximum.accumulate(np.where(changed, rows, 0), axis=0) >= self._flat_after
-            flat = flat[len(frames) - len(values) :] & self._trembling
+            flat = flat[len(frames) - len(values) :] & self._must_change
             wrong = flat if wrong is None else wrong | flat
         stuck = self._stuck_in_block(frames)
         if stuck is not None:

@@ -327,8 +327,9 @@ def device_refusal(loop: ControlLoop) -> Text | None:
         return Text("drives-chair-unpaired", problem=lost)
     if chair is None or parameters is None:
         return None
-    if setup.mistrust:
-        return setup.mistrust
+    mistrust = setup.mistrust  # asked once: each time it asks the kernel, whose answer may change
+    if mistrust is not None:
+        return mistrust
     unconfirmed = own_movement_refusal(parameters)
     if unconfirmed is not None:
         return unconfirmed

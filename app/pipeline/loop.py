@@ -8,13 +8,13 @@ from app.geometry import Pose
 from app.hardware.base import BodyView, LeaderView, LinkedChair, Shirt
 from app.hardware.body.cursor_view import CursorView
 from app.hardware.chair.report import ChairReport
-from app.messages import ALIVE, NO_CUE, SensorFrame, Tick
+from app.messages import ALIVE, IDLE_RATE, NO_CUE, SensorFrame, Tick
 from app.pipeline.open_run import OpenRun
 from app.pipeline.safety_gate import SCREEN_SILENT, WEB_SILENT, ChairCondition, Conditions, SafetyGate
 from app.pipeline.setup import Setup
 from app.process.ring import TickRing
 
-LONGEST_WAIT = 0.02  # s without a frame after which a tick is made without one
+LONGEST_WAIT = 1.0 / IDLE_RATE  # s without a frame after which a tick is made without one
 WAIT_PERIODS = 2.0  # of a fast shirt's frames without a frame after which a tick is made: its jitter adds no ticks
 BURST = 0.01  # s for which a due command is delayed while more frames wait: only the newest frame counts
 PUNCTUAL = 1.0  # s of reports in time after which a pause ends

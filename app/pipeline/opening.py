@@ -8,6 +8,7 @@ from typing import Any, NamedTuple, Protocol, TypeVar
 from app.clock import Clock
 from app.hardware.base import HardwareError
 from app.texts import Text, text_of
+from app.visible_text import one_line
 
 OPENING_LIMIT = 8.0  # s; the web process waits 10 s for an answer
 MOST_STUCK = 8  # threads that never ended: each holds memory until the process ends
@@ -120,7 +121,7 @@ class _Attempt(threading.Thread):
         with self._lock:
             self._given_up = not self.ended.is_set()
         if not self._given_up:  # the device opened just before this call
-            close_quietly(self.device)
+            close_meanwhile(self.device)
 
 
 def open_device(device: Device) -> Device:
@@ -154,9 +155,12 @@ def defect(what: str, error: Exception) -> Text:
 def message_of(error: Exception, longest: int | None = None) -> Text | str:
     """Return an exception's text; a plain string reduced to printable characters on one line, `longest` at most."""
     message = text_of(error)
-    if isinstance(message, Text):
-        return message
-    return " ".join("".join(letter if letter.isprintable() else " " for letter in message).split())[:longest]
+    return message if isinstance(message, Text) else one_line(message, longest)
+
+
+def close_meanwhile(device: object) -> None:
+    """Close a device in a thread: some wait for seconds, and the loop must not."""
+    threading.Thread(target=close_quietly, args=(device,), name="closes a device", daemon=True).start()
 
 
 def close_quietly(device: object) -> None:

@@ -28,9 +28,9 @@ from app.hardware.configs import SHIRTS, BodyConfig, ChairConfig, HeadConfig, Re
 from app.hardware.registry import make_body, make_head, make_real_chair, make_shirt
 from app.hardware.shirt.kind import ShirtConfig
 from app.json_values import JsonDocument
-from app.messages import HeadPose, Tick
+from app.messages import IDLE_RATE, HeadPose, Tick
 from app.pipeline.chain import Chain
-from app.pipeline.opening import DeviceChange, close_quietly, message_of, open_device
+from app.pipeline.opening import DeviceChange, close_meanwhile, close_quietly, message_of, open_device
 from app.source import UNKNOWN, Source
 from app.speed_limits import HIGHEST_SPEEDS, Speeds
 from app.texts import Text, text_of
@@ -38,7 +38,6 @@ from app.world.floorplan import FloorPlan, PrescribedPath
 from app.world.movers import Track
 from app.world.progress import leader_of
 
-IDLE_RATE = 50.0  # Hz: how often the loop turns while there is no shirt
 NO_SHIRT = Text("drives-no-shirt")
 NO_TRACKER = Text("drives-no-tracker")
 
@@ -116,7 +115,7 @@ class HeadTracking:
         except Exception as error:  # whatever a device does, the loop turns on
             tracker, self._tracker = self._tracker, None
             self._failed = Text("drives-tracker-failed", problem=message_of(error) or type(error).__name__)
-            close_quietly(tracker)
+            close_meanwhile(tracker)
             return None
 
 
@@ -138,8 +137,7 @@ class Setup:
         self._clock = clock
         self.head = HeadTracking(clock)
         self.shirt: Shirt | None = None
-        self.shirt_kind = ""
-        self.mistrust: Text | None = NO_SHIRT  # why the shirt in use arms no real chair, None when it may
+        self.shirt_config: ShirtConfig | None = None  # of the shirt in use, or of the one whose driver failed
         self._shirt_failed: Text | None = None  # why the shirt in use was released, None when it was not
         self.body_kind: str | None = None  # of the body inside the simulated shirt
         self.simulated_shirt: ShirtWithBody | None = None  # the shirt in use, when it is the simulated one
@@ -159,6 +157,17 @@ class Setup:
     def sample_rate(self) -> float:
         """Frames per second (Hz) that the shirt states; the loop's own rate without a shirt."""
         return self.shirt.sample_rate if self.shirt else IDLE_RATE
+
+    @property
+    def shirt_kind(self) -> str:
+        """The kind of the shirt in use, or of the one whose driver failed, in its configuration's word; else empty."""
+        return self.shirt_config.kind if self.shirt_config else ""
+
+    @property
+    def mistrust(self) -> Text | None:
+        """Why the shirt in use arms no real chair, None when it may; its line may be of another device now (S29)."""
+        config = self.shirt_config
+        return NO_SHIRT if self.shirt is None or config is None else SHIRTS[config.kind].mistrust(config)
 
     @property
     def layout_document(self) -> JsonDocument | None:
@@ -241,8 +250,7 @@ class Setup:
             return open_device(make_shirt(config, self._clock))
 
         def use(shirt: Shirt) -> None:
-            self.shirt, self.shirt_kind = shirt, config.kind
-            self.mistrust = SHIRTS[config.kind].mistrust(config)
+            self.shirt, self.shirt_config = shirt, config
             self.simulated_shirt = cast(ShirtWithBody, shirt) if config.kind == "simulator" else None
             if self.parameters is not None and self._misfit(self.parameters):
                 self.parameters = self.hash = None
@@ -253,9 +261,8 @@ class Setup:
     def release_failed_shirt(self, error: Exception) -> None:
         """Release a shirt whose driver failed; without frames the gate stops the chair, as with a silent shirt."""
         failed, self.shirt, self.simulated_shirt = self.shirt, None, None
-        self.mistrust = NO_SHIRT
         self._shirt_failed = Text("drives-shirt-failed", problem=message_of(error) or type(error).__name__)
-        close_quietly(failed)
+        close_meanwhile(failed)
 
     def close(self) -> None:
         """Release all devices."""
@@ -328,8 +335,7 @@ class Setup:
     def _release_shirt(self) -> Shirt | None:
         """Release the shirt in use and return it, still open."""
         before, self.shirt, self.simulated_shirt, self.body_kind = self.shirt, None, None, None
-        self.shirt_kind, self._shirt_failed = "", None
-        self.mistrust = NO_SHIRT
+        self.shirt_config = self._shirt_failed = None
         self._make_chain()
         return before
 
@@ -360,8 +366,7 @@ class Setup:
         """Return in a sentence why parameters cannot decode the frames of the shirt; None when they can."""
         if self.shirt is None:
             return None
-        shirt, calibrated = self.shirt.layout, parameters.profile.layout
-        if shirt.channel_names != calibrated.channel_names or shirt.may_stay_constant != calibrated.may_stay_constant:
+        if not self.shirt.layout.fits(parameters.profile.layout):
             return Text("drives-other-sensors")
         cutoff, rate = parameters.cutoff, self.sample_rate
         if rate <= 2.0 * cutoff:  # no filter has a cutoff above half the sample rate

@@ -87,13 +87,12 @@ def joint_quality(
         FS/s, the smallest dead-zone of the joint's gestures.
     """
     names = layout.channel_names
-    label = next(layout_joint.label for layout_joint in layout.joints if layout_joint.name == joint.name)
     guided = joint.map != "pca"
     weights = np.array([joint.direction[joint.channels.index(channel)] for channel in channels])
     length = float(np.linalg.norm(weights))
     quality = JointQuality(
         name=joint.name,
-        label=label,
+        label=layout.joint_labels[joint.name],
         channels=tuple(names[index] for index in joint.channels),
         dead_zone=None if guided else dead_zone,
         guided=guided,

@@ -271,7 +271,7 @@ def _joints(run: RunRecording, decimation: Decimation) -> list[JointLines]:
     if values.shape[1] != len(layout.channels):
         return []
     weights = _weights(parameters_of(run), len(layout.channels))
-    labels = {joint.name: joint.label for joint in layout.joints}
+    labels = layout.joint_labels
     lines = []
     for joint, channels in layout.channels_of_joint.items():
         # The channels with the largest weights, in the order of the shirt; without a map, the first ones.

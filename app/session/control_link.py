@@ -11,6 +11,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from app.clock import monotonic
+from app.messages import IDLE_RATE
 from app.process.command_channel import LinkLost, LinkRefused, Message
 from app.refusals import Conflict, Unavailable
 from app.texts import Text, text_of
@@ -254,7 +255,7 @@ class ControlLink:
         newest = self.newest()
         ticks = None
         if newest is not None:
-            ticks = self.since(max(0, int(newest["number"]) - int(2 * seconds * max(sample_rate, 1.0))))
+            ticks = self.since(max(0, int(newest["number"]) - int(2 * seconds * max(sample_rate, IDLE_RATE))))
         if newest is None or ticks is None:
             return np.empty((0, channels))
         recent = ticks[(ticks["has_frame"] == 1) & (ticks["t"] > float(newest["t"]) - seconds)]

@@ -173,7 +173,7 @@ class SessionFlow:
         in_use = self._equipment.group
         if group == "simulated" != in_use:
             reason = Text("visit-calibrated-unworn")
-        elif layout.channel_names != parameters.profile.layout.channel_names or not _may_drive(group, in_use):
+        elif not layout.fits(parameters.profile.layout) or not _may_drive(group, in_use):
             reason = Text("visit-calibrated-in-another")
         elif abs(self._equipment.sample_rate - parameters.profile.sample_rate) > 0.01 * parameters.profile.sample_rate:
             reason = Text("visit-calibrated-at-another-rate")

@@ -119,5 +119,5 @@ def _gestures(now: DriveParameters, before: DriveParameters) -> Iterator[Differe
 
 
 def _named(parameters: DriveParameters, gesture: Gesture) -> NamedGesture:
-    labels = {joint.name: joint.label for joint in parameters.profile.layout.joints}
+    labels = parameters.profile.layout.joint_labels
     return NamedGesture(joint=labels.get(gesture.joint, gesture.joint), direction=gesture.direction)

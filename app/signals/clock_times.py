@@ -11,6 +11,17 @@ from numpy.typing import NDArray
 from app.signals.cells import MOMENT
 
 DAY: Final = 86_400.0  # s
+MONTHS: Final = {
+    name: month
+    for month, names in enumerate(
+        (
+            *("jan ene", "feb", "mar mär mrz", "apr abr", "may mai", "jun", "jul", "aug ago", "sep", "oct okt"),
+            *("nov", "dec dez dic"),
+        ),
+        start=1,
+    )
+    for name in names.split()
+}  # by three letters, in English, German and Spanish
 OF_DATE: Final = (("y", "m", "d"), ("y2", "m2", "d2"))
 LATEST: Final = 0.5 * DAY  # a time of day that is so much earlier than the one before is one of the next day
 
@@ -47,6 +58,8 @@ def _date(match: re.Match[str], day_first: bool) -> tuple[int, int, int] | None:
     for year, month, day in OF_DATE:
         if match[year] is not None:
             return int(match[year]), int(match[month]), int(match[day])
+    if match["y4"] is not None and match["month"].lower() in MONTHS:
+        return int(match["y4"]), MONTHS[match["month"].lower()], int(match["d4"])
     if match["y3"] is None:
         return None
     a, b = int(match["a"]), int(match["b"])

@@ -6,18 +6,23 @@ from typing import Final
 
 UNITS: Final = frozenset(
     (
-        *("s", "sec", "secs", "second", "seconds", "sekunden", "segundos", "seg", "ms", "msec", "millis"),
+        *("s", "sec", "secs", "second", "seconds", "sekunden", "segundos", "seg", "ms", "msec", "msecs", "millis"),
         *("millisecond", "milliseconds", "us", "µs", "μs", "usec", "micros", "microsecond", "microseconds"),
         *("ns", "nsec", "nanos", "nanosecond", "nanoseconds", "min", "mins", "minute", "minutes", "minuten", "minutos"),
         *("h", "hour", "hours", "v", "mv", "uv", "µv", "μv", "a", "ma", "ua", "µa", "ohm", "kohm", "ω", "kω", "mω"),
         *("g", "mg", "gs", "dps", "m", "mm", "cm", "um", "µm", "in", "inch", "deg", "degree", "degrees", "°", "rad"),
-        *("radian", "radians", "hz", "khz", "n", "mn", "kn", "nm", "nmm", "n·m", "n*m", "kg", "lb", "lbf", "w"),
+        *("radian", "radians", "hz", "khz", "n", "mn", "kn", "nm", "nmm", "n·m", "n*m", "n.m", "n.mm", "n-m", "n-mm"),
+        *("kg", "lb", "lbf", "w"),
         *("pa", "kpa", "hpa", "mbar", "bar", "mmhg", "psi", "%", "c", "°c", "degc", "k", "°f"),
         *("ut", "µt", "μt", "mt", "gauss", "bpm", "rpm"),
         *("adc", "count", "counts", "lsb", "raw", "a.u.", "au", "a.u", "bool", "bit", "bits", "1", "none", "n/a", "-"),
-        *("unit", "units", "quaternion", "strain", "mstrain", "µstrain"),
+        *("unit", "units", "no_units", "quaternion", "strain", "mstrain", "µstrain", "local_flux", "flux"),
+        *("volt", "volts", "millivolt", "millivolts", "microvolt", "microvolts", "ampere", "amperes", "newton"),
+        *("newtons", "ohms", "kohms", "siemens", "microsiemens", "meter", "meters", "metre", "metres", "millimeters"),
+        *("metros", "grad", "grados", "radianes", "kelvin", "celsius", "percent", "prozent", "pascal", "tesla"),
     )
 )  # in lower case
+MOSTLY: Final = 0.8  # share of units in a line of units: some have a name that nobody knows
 POWER: Final = re.compile(r"[\^²³0-9·*() -]+")
 NO_NAME: Final = frozenset('{}":')  # signs of other formats than tables
 IN_BRACKETS: Final = re.compile(r"(?P<bare>.*?)[\s_.]*[\[({<](?P<unit>[^\[\](){}<>]*)[\])}>]\s*")
@@ -36,7 +41,9 @@ def is_unit(text: str) -> bool:
 def is_units(cells: Sequence[str]) -> bool:
     """Return whether the cells of a line are units; at least half of them must be filled."""
     filled = [cell for cell in cells if cell.strip("()[] ")]
-    return 2 * len(filled) >= len(cells) > 0 and all(map(is_unit, filled))
+    if 2 * len(filled) < len(cells) or not filled or not is_unit(filled[0]):
+        return False
+    return sum(map(is_unit, filled)) >= MOSTLY * len(filled)
 
 
 def bare_name(name: str) -> tuple[str, str]:

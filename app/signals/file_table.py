@@ -1,7 +1,8 @@
 """The table of a file: its columns by name, their units, and where its rows stand."""
 
 from collections.abc import Collection, Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
+from typing import NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
@@ -15,6 +16,14 @@ Columns = dict[str, NDArray[np.generic]]
 LONGEST_QUOTE = 30  # letters of what a file has
 
 
+class FilePart(NamedTuple):
+    """A part of a file that can be read alone: a stream, or the sheet of a workbook."""
+
+    name: str
+    channels: int  # 0 where nobody has counted them
+    samples: int  # 0 where nobody has counted them
+
+
 @dataclass(frozen=True, slots=True)
 class FileTable:
     """Columns (n,) float64 or float32, missing numbers as NaN; those that were asked for as text are text."""
@@ -24,6 +33,7 @@ class FileTable:
     places: RowPlaces
     dialect: Dialect | None = None  # of a table in text
     note: Text | None = None  # what was left out
+    rate: float | None = None  # Hz, as the file states it beside its rows
 
     def numbers(self, name: str) -> NDArray[np.float64]:
         """Return a column (n,) of finite numbers; raise ValueError with the first row that has none."""
@@ -44,7 +54,7 @@ class FileTable:
         if not columns:
             there, wanted = listed(list(self.columns)), listed(sorted(names))
             raise ValueError(Text("signals-columns-missing", place=self.places.file, names=wanted, there=there))
-        return FileTable(columns, self.units, self.places, self.dialect, self.note)
+        return replace(self, columns=columns)
 
     def without_empty_rows(self) -> "FileTable":
         """Return the table without the rows that hold nothing, as spreadsheets write below the last one."""
@@ -57,12 +67,11 @@ class FileTable:
         first = 1 if self.places.first_line is None else self.places.first_line
         lines = rows + first if self.places.lines is None else np.asarray(self.places.lines)[rows]
         columns = {name: values[rows] for name, values in self.columns.items()}
-        places = self.places._replace(lines=lines.tolist())
-        return FileTable(columns, self.units, places, self.dialect, self.note)
+        return replace(self, columns=columns, places=self.places._replace(lines=lines.tolist()))
 
     def with_note(self, note: Text | None) -> "FileTable":
         """Return the table with a further note."""
-        return FileTable(self.columns, self.units, self.places, self.dialect, both(self.note, note))
+        return replace(self, note=both(self.note, note))
 
 
 def listed(names: list[str], most: int = 6, longest: int = LONGEST_QUOTE) -> Text | str:

@@ -1,6 +1,7 @@
 """What a file of signals holds: its columns with their units and ranges, its time, its sample rate, its channels."""
 
 from collections.abc import Collection
+from contextlib import suppress
 from dataclasses import dataclass
 from pathlib import Path
 from typing import Final, Literal
@@ -11,8 +12,8 @@ from numpy.typing import NDArray
 from app.layout import ShirtLayout
 from app.signals.columns import NamedColumns, named_columns, read_table
 from app.signals.csv_dialect import Dialect
-from app.signals.file_table import FileTable
-from app.signals.signals import AS_THE_FILE_SAYS, ReadingOptions, Signals, read_signals
+from app.signals.file_table import Columns, FilePart, FileTable
+from app.signals.signals import AS_THE_FILE_SAYS, NO_COLUMN, ReadingOptions, Signals, read_signals
 from app.signals.time_columns import TimeColumn, is_counter, time_of_table
 from app.signals.time_names import time_rank
 from app.texts import Text, text_of
@@ -20,6 +21,7 @@ from app.texts import Text, text_of
 Role = Literal["time", "channel", "other-time", "counter", "text", "empty", "constant", "unused"]
 
 DIGITS: Final = 6  # that count, of a range
+RECORDING_KIND: Final = "bodydrive"  # a run's folder
 
 
 @dataclass(frozen=True, slots=True)
@@ -38,6 +40,8 @@ class ColumnOverview:
 class FileOverview:
     """What a file holds, and how it would be read."""
 
+    kind: str  # of the file, "CSV" for all tables in text
+    parts: tuple[FilePart, ...]  # of which one can be read alone; empty where there is one table
     rows: int | None
     columns: tuple[ColumnOverview, ...]
     dialect: Dialect | None  # of a table in text
@@ -52,24 +56,27 @@ def overview(path: Path, layout: ShirtLayout | None = None, options: ReadingOpti
     """Return what a file or a run's folder holds; raise ValueError with one sentence when it cannot be read at all."""
     if path.is_dir():
         return _of_recording(read_signals(path, layout))
-    named = named_columns(path)
+    named = named_columns(path, options.part)
     problem: Text | str | None = None
     signals: Signals | None = None
     time: TimeColumn | None = None
     table: FileTable | None = None
     try:
-        table = read_table(path)
         signals = read_signals(path, layout, options)
-        time = time_of_table(table, options.time, options.unit)
     except ValueError as error:
-        problem = None if signals is not None else text_of(error)  # a sample rate alone can say the times
+        problem = text_of(error)
+    with suppress(ValueError):  # of a column that nobody has chosen; a sample rate alone can say the times
+        table = read_table(path, part=options.part)
+        time = None if options.time == NO_COLUMN else time_of_table(table, options.time, options.unit)
     channels = () if signals is None else signals.channel_names
-    columns = {} if table is None else table.columns
+    columns = _columns_of(signals) if table is None else table.columns
     facts = [
         _column(name, named, columns.get(name), None if time is None else time.column, channels) for name in named.names
     ]
     return FileOverview(
-        rows=None if table is None else len(next(iter(columns.values()))),
+        kind=named.kind,
+        parts=named.parts,
+        rows=max(map(len, columns.values()), default=None),
         columns=tuple(facts),
         dialect=None if table is None else table.dialect,
         time=None if time is None else time.column,
@@ -80,12 +87,17 @@ def overview(path: Path, layout: ShirtLayout | None = None, options: ReadingOpti
     )
 
 
+def _columns_of(signals: Signals | None) -> Columns:
+    """Return the columns of the channels."""
+    return {} if signals is None else dict(zip(signals.channel_names, signals.values.T, strict=True))
+
+
 def _of_recording(signals: Signals) -> FileOverview:
     columns = [
         ColumnOverview(name, "", "channel", *_range_of(signals.values[:, index]))
         for index, name in enumerate(signals.channel_names)
     ]
-    return FileOverview(len(signals.t), tuple(columns), None, "t", "s", True, signals, None)
+    return FileOverview(RECORDING_KIND, (), len(signals.t), tuple(columns), None, "t", "s", True, signals, None)
 
 
 def _column(

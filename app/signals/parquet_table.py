@@ -15,6 +15,7 @@ if TYPE_CHECKING:
     import pyarrow as pa
 
 MOST_NUMBERS: Final = 200_000_000  # ten hours of 52 channels at 100 Hz
+FEWEST: Final = 2  # columns of numbers of a recording
 UNIT: Final = b"unit"  # key of a column's metadata
 
 
@@ -39,7 +40,10 @@ def read_parquet_table(path: Path, text: Collection[str], only: Collection[str] 
     for name in names:
         if names.count(name) > 1:
             raise ValueError(Text("signals-columns-twice", place=str(path), column=name))
-    columns = [name for name in names if only is None or name in only]
+    words = columns_of_words(schema) - set(text) if only is None else frozenset()
+    if len(names) - len(words) < FEWEST:
+        words = frozenset()  # a table of words is refused at the first of them
+    columns = [name for name in names if name not in words and (only is None or name in only)]
     if not columns and only:
         raise ValueError(
             Text("signals-columns-missing", place=str(path), names=listed(sorted(only)), there=listed(names))
@@ -53,7 +57,26 @@ def read_parquet_table(path: Path, text: Collection[str], only: Collection[str] 
     if table.num_rows == 0:
         raise ValueError(Text("signals-no-rows", file=str(path)))
     read: Columns = {name: _as_array(path, name, table.column(name), text) for name in columns}
-    return FileTable(read, units_of_schema(schema), places_of_rows(path)).without_empty_rows()
+    whole = FileTable(read, units_of_schema(schema), places_of_rows(path)).without_empty_rows()
+    left_out = listed([name for name in names if name in words])
+    return whole.with_note(Text("signals-columns-left-out", names=left_out)) if words else whole
+
+
+def columns_of_words(schema: "pa.Schema") -> frozenset[str]:
+    """Return the columns that hold something else than numbers, moments or durations."""
+    return frozenset(field.name for field in schema if not _is_number(field.type))
+
+
+def _is_number(kind: "pa.DataType") -> bool:
+    from pyarrow import types
+
+    return any(
+        is_of(kind)
+        for is_of in (
+            *(types.is_floating, types.is_integer, types.is_boolean, types.is_decimal, types.is_null),
+            *(types.is_timestamp, types.is_duration, types.is_time),
+        )
+    )
 
 
 def units_of_schema(schema: "pa.Schema") -> dict[str, str]:
@@ -71,6 +94,8 @@ def _as_array(path: Path, name: str, column: Any, text: Collection[str]) -> NDAr
         return np.array([str(cell).strip() for cell in column.to_pylist()], dtype=np.str_)
     if pa.types.is_null(column.type):
         return np.full(len(column), np.nan)
+    if pa.types.is_boolean(column.type) or pa.types.is_decimal(column.type):
+        column = column.cast(pa.int8() if pa.types.is_boolean(column.type) else pa.float64())
     if pa.types.is_floating(column.type) or pa.types.is_integer(column.type):
         array: NDArray[np.generic] = column.to_numpy()
         return array if array.dtype == np.float32 else array.astype(np.float64, copy=False)

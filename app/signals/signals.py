@@ -14,7 +14,6 @@ from pydantic import ValidationError
 from app.layout import MAX_CHANNELS, ShirtLayout
 from app.recording.reader import RunRecording, both, read_run
 from app.sentences import one_sentence
-from app.signals.bids_motion import rate_beside
 from app.signals.column_names import bare_name, columns_of_channels
 from app.signals.columns import NamedColumns, named_columns, read_table
 from app.signals.csv_dialect import Dialect
@@ -31,11 +30,15 @@ from app.signals.sampling_times import (
 )
 from app.signals.time_columns import TimeColumn, is_channel, sentence_of_time, time_of_table
 from app.signals.time_names import time_names
-from app.texts import Text
+from app.texts import Text, text_of
 
+NO_COLUMN = ""  # in place of the name of a column of times
 SHORTEST = 10  # samples
 LONGEST_PAIR = 80  # letters of a channel and its column
-RATE_TOLERANCE = 0.1  # share by which the times of a file may differ from a sample rate that a person gives
+RATE_TOLERANCE = 0.1  # share by which the times of a file may differ from a sample rate that a person or the file gives
+# Refusals that the sample rate answers which the file states: of unknown times, and of times of arrival.
+NO_TIME = frozenset(("signals-time-missing", "signals-time-units"))
+ARRIVAL = frozenset(("signals-uneven", "signals-shared-uneven", "signals-bursts-uneven"))
 ROWS_AT_ONCE = 4096
 LARGEST = 1e10  # no sensor gives more; sums of such values do not overflow float32, nor the limits of a profile
 
@@ -63,10 +66,11 @@ class Signals:
 class ReadingOptions:
     """How a person corrects what a file says of itself; None: as the file says."""
 
-    time: str | None = None  # the column of times
+    time: str | None = None  # the column of times; empty: none is right, and the sample rate counts
     unit: str | None = None  # of it, a key of `app.signals.time_columns.SECONDS`
     rate: float | None = None  # Hz; the samples are even
     channels: tuple[str, ...] | None = None  # the columns of the channels, in their order
+    part: str | None = None  # of the file, that is read alone: a stream, or a sheet
 
 
 AS_THE_FILE_SAYS = ReadingOptions()
@@ -88,15 +92,14 @@ def read_signals(
     path = Path(path)
     if path.is_dir():
         return signals_of_run(read_run(path), path, layout)
-    named = named_columns(path)
+    named = named_columns(path, options.part)
     times = _times_beside(path, named.names, layout, options)
     chosen = _chosen_columns(path, named, times, layout, options)
-    table = read_table(path, only=None if chosen is None or not times else {*times, *chosen.values()})
-    rate = options.rate if options.rate is not None or times else rate_beside(path)
-    time = _time(table, options, rate, () if chosen is None else chosen.values())
+    only = None if chosen is None or not times else {*times, *chosen.values()}
+    table = read_table(path, only=only, part=options.part)
+    time = _time(table, options, () if chosen is None else chosen.values())
     if chosen is None:
-        apart = {*times, *([] if time is None else [time.column])}
-        numbers = {name: values for name, values in table.columns.items() if name not in apart}
+        numbers = {name: values for name, values in table.columns.items() if time is None or name != time.column}
         chosen = {name: name for name, values in numbers.items() if is_channel(name, values)}
     if layout is not None and (missing := [name for name in layout.channel_names if name not in chosen]):
         raise ValueError(_missing(path, missing, layout))
@@ -107,7 +110,7 @@ def read_signals(
     count = len(next(iter(table.columns.values())))
     if count < SHORTEST:
         raise ValueError(Text("signals-samples-few", file=str(path), count=count))
-    even = _sampling_times(table, time, rate, count)
+    even = _sampling_times(table, time, options.rate, count)
     said = [table.note, None if time is None else sentence_of_time(time), _sentence_of_channels(chosen), even.note]
     values = _stack_columns(table.columns, list(chosen.values()))
     return Signals(even.t, values, list(chosen), even.sample_rate, damage=reduce(both, said), dialect=table.dialect)
@@ -115,6 +118,8 @@ def read_signals(
 
 def _times_beside(path: Path, names: Sequence[str], layout: ShirtLayout | None, options: ReadingOptions) -> list[str]:
     """Return the columns that can be the time; a channel of the layout is none."""
+    if options.time == NO_COLUMN:
+        return []
     times = [options.time] if options.time is not None else time_names(names)
     channels = () if layout is None else layout.channel_names
     others = [name for name in times if name not in channels]
@@ -123,31 +128,57 @@ def _times_beside(path: Path, names: Sequence[str], layout: ShirtLayout | None, 
     return others
 
 
-def _time(
-    table: FileTable, options: ReadingOptions, rate: float | None, channels: Collection[str]
-) -> TimeColumn | None:
-    """Return the time of a table; None where only a sample rate says it."""
+def _time(table: FileTable, options: ReadingOptions, channels: Collection[str]) -> TimeColumn | None:
+    """Return the time of a table; None where only a sample rate says it, of a person or of the file."""
+    if options.time == NO_COLUMN:
+        if options.rate is None and table.rate is None:
+            raise ValueError(Text("signals-rate-needed", file=table.places.file))
+        return None
     try:
         return time_of_table(table, options.time, options.unit, channels)
-    except ValueError:
-        if rate is None or options.time is not None:
+    except ValueError as error:
+        by_the_file = _is_refused(error, NO_TIME) and options.unit is None and table.rate is not None
+        if options.time is not None or (options.rate is None and not by_the_file):
             raise
         return None
 
 
 def _sampling_times(table: FileTable, time: TimeColumn | None, rate: float | None, count: int) -> SamplingTimes:
-    """Return the times of the samples; a given sample rate replaces those of the file unless they contradict it."""
-    if rate is None:
-        assert time is not None
-        return sampling_times(time.t, table.places, time.column, time.is_stated)
-    first = 0.0
-    if time is not None:
-        first, span = float(time.t[0]), float(time.t[-1] - time.t[0])
-        if abs(span * rate / (count - 1) - 1.0) > RATE_TOLERANCE:
-            found = float(f"{(count - 1) / span:.4g}") if span > 0 else 0.0
-            file = table.places.file
-            raise ValueError(Text("signals-rate-wrong", file=file, rate=rate, column=time.column, found=found))
+    """Return the times of the samples; a given sample rate replaces those of the file unless they contradict it.
+
+    The rate that the file states replaces its times only where these are not even: the samples were stamped when they
+    arrived.
+    """
+    if rate is None and time is not None:
+        try:
+            return sampling_times(time.t, table.places, time.column, time.is_stated)
+        except ValueError as error:
+            if table.rate is None or not _is_refused(error, ARRIVAL) or not _agree(time.t, table.rate):
+                raise
+            rate = table.rate
+    rate = rate or table.rate
+    assert rate is not None  # else there would be a time
+    if not SLOWEST <= rate <= FASTEST:
+        limits = {"slowest": SLOWEST, "fastest": FASTEST}
+        raise ValueError(Text("signals-rate-beyond", file=table.places.file, rate=rate, **limits))
+    if time is not None and not _agree(time.t, rate):
+        span = float(time.t[-1] - time.t[0])
+        found = float(f"{(count - 1) / span:.4g}") if span > 0 else 0.0
+        file = table.places.file
+        raise ValueError(Text("signals-rate-wrong", file=file, rate=rate, column=time.column, found=found))
+    first = 0.0 if time is None else float(time.t[0])
     return SamplingTimes(first + np.arange(count) / rate, rate, Text("signals-rate-set", rate=rate))
+
+
+def _is_refused(error: ValueError, reasons: Collection[str]) -> bool:
+    """Return whether an error is a refusal for one of the reasons, the ids of their texts."""
+    problem = text_of(error)
+    return isinstance(problem, Text) and problem.id in reasons
+
+
+def _agree(t: NDArray[np.float64], rate: float) -> bool:
+    """Return whether times (n,) are those of about so many samples a second (Hz)."""
+    return abs(float(t[-1] - t[0]) * rate / (len(t) - 1) - 1.0) <= RATE_TOLERANCE
 
 
 def _chosen_columns(
@@ -156,6 +187,7 @@ def _chosen_columns(
     """Return the column of each channel that has one, None for all columns; `times` can be the time."""
     names = [name for name in named.names if name not in times]
     if options.channels is not None:
+        names = [name for name in named.names if name != options.time]  # a person may know that one is no time
         if missing := [name for name in options.channels if name not in names]:
             raise ValueError(Text("signals-column-missing", file=str(path), column=missing[0], names=listed(names)))
         if layout is None:
@@ -175,7 +207,7 @@ def _chosen_columns(
 
 def _sentence_of_channels(chosen: dict[str, str]) -> Text | None:
     """Return which columns of other names are channels, None when there is none."""
-    pairs = [f"{name} = {column}" for name, column in chosen.items() if name != bare_name(column)[0]]
+    pairs = [f"{name} = {column}" for name, column in chosen.items() if name not in {column, bare_name(column)[0]}]
     return Text("signals-channels-taken", pairs=listed(pairs, longest=LONGEST_PAIR)) if pairs else None
 
 

@@ -6,15 +6,13 @@ most of their cells are numbers, and the rows begin at the first line that is li
 """
 
 import csv
-import re
 from collections.abc import Iterator, Sequence
-from itertools import islice, pairwise
+from itertools import pairwise
 from typing import Final, Literal, NamedTuple
 
-from app.signals.cells import is_like_a_number, is_missing, is_moment, is_number
-from app.signals.column_names import bare_names, is_units
+from app.signals.cells import is_like_a_number, is_missing, is_moment, is_number, number_of
+from app.signals.column_names import bare_names
 from app.signals.csv_dialect import (
-    BLANKS,
     SEPARATORS,
     UTF_8,
     Dialect,
@@ -24,15 +22,20 @@ from app.signals.csv_dialect import (
     names_of,
     without_mark,
 )
+from app.signals.foreign.recording import unique_names
+from app.signals.logged_lines import LogForm, log_form, plain_text
 from app.signals.row_places import RowPlaces
+from app.signals.table_header import TIME, Line, header_of, stated_rate
+from app.signals.time_columns import FIRST, LAST
+from app.signals.time_groups import time_groups
 from app.signals.time_names import time_names
 from app.texts import Text
 
 HEAD: Final = 200_000  # bytes of a file by which its form is found
 SAMPLE: Final = 80  # lines at the end of the head
-MOST_ABOVE: Final = 4  # lines above the rows that can belong to the header
-NO_NAME: Final = re.compile(r"Unnamed: \d+")  # pandas calls a column so
 FOLLOWING: Final = 6  # rows of which half must be like the first one
+SURELY_NAMES: Final = 5  # numbers that count from 0 in the first line: fewer can be a row, as of a path
+MOST_COUNTED: Final = 10**8  # samples, as a line below the header counts them (AcqKnowledge)
 
 Kind = Literal["number", "moment", "text", "empty"]
 
@@ -46,17 +49,21 @@ class TableForm(NamedTuple):
     kinds: tuple[Kind, ...]  # by the first rows
     first: int  # line of the first row, from 0; that of the end where there is none
     has_header: bool
+    rate: float | None = None  # Hz, as the lines above the rows state it
+    groups: tuple[int, ...] = ()  # columns of times, each for those up to the next one; empty: there is one time
+    log: LogForm | None = None  # of lines that a monitor of a serial line has written
 
     def header_place(self, file: str) -> Text:
         """Return the place of the line above the rows, of the first one where there is no header."""
         return RowPlaces(file).line(max(self.first, 1))
 
 
-class Line(NamedTuple):
-    """A line of a text and its number, from 0."""
+class TableStart(NamedTuple):
+    """Where the rows begin, behind numbers that are none: names that are numbers, or a sample rate (Hz)."""
 
-    number: int
-    text: str
+    first: int  # among the lines that are no comments
+    names: list[str]
+    rate: float | None
 
 
 def form_of_head(head: bytes, file: str) -> TableForm:
@@ -78,6 +85,8 @@ def form_of(text: str, file: str, encoding: str = UTF_8) -> TableForm:
     ValueError
         One sentence: the file, what is wrong, what to do.
     """
+    log = log_form(text)
+    text = text if log is None else plain_text(text, log)
     lines = [Line(number, line.rstrip("\r")) for number, line in enumerate(text.split("\n"))]
     filled = [line for line in lines if line.text.strip()]
     rows = [line for line in filled if not is_comment(line.text)]
@@ -87,20 +96,27 @@ def form_of(text: str, file: str, encoding: str = UTF_8) -> TableForm:
         raise ValueError(Text("signals-line-ends", file=file))
     try:
         dialect, width = _dialect_of(rows[-SAMPLE:], encoding)
-        return _form(filled, rows, dialect, width, file)
+        form = _form(filled, rows, dialect, width, file)
     except csv.Error as error:
         raise ValueError(Text("signals-no-csv", file=file)) from error
+    if log is None:
+        return form
+    if len(log.labels) == len(form.names) and not form.has_header:
+        form = form._replace(names=log.labels, has_header=True)
+    return form._replace(log=log)
 
 
 def _form(filled: Sequence[Line], rows: Sequence[Line], dialect: Dialect, width: int, file: str) -> TableForm:
-    first = _first_row(rows, dialect, width)
-    if first is None:
+    top = _first_row(rows, dialect, width)
+    if top is None:
         return _without_rows(filled, rows, dialect, width, file)
-    above = [line for line in filled if line.number < rows[first].number]
+    first, numbers, rate = _start_of(rows, top, dialect)
+    above = [line for line in filled if line.number < rows[top].number]
     cells = [cells_of(line.text, dialect.separator) for line in rows[first : first + SAMPLE]]
     of_width = [row for row in cells if len(row) == width]
     kinds = _kinds(of_width, width)
-    names, units = _header(above, dialect.separator, width)
+    header = header_of(above, dialect.separator, width, width - (kinds[-1] == "empty"))
+    names, units = (header.names or numbers), header.units
     place = RowPlaces(file).line(rows[first].number + 1)
     if names and len(names) == width - 1:
         if kinds[-1] == "empty":  # separators behind the rows
@@ -111,10 +127,50 @@ def _form(filled: Sequence[Line], rows: Sequence[Line], dialect: Dialect, width:
             raise ValueError(Text("signals-cells", place=place, count=width, expected=len(names)))
     if not names and above and (expected := _count_of_names(above[-1], dialect)) > 1 < width:
         raise ValueError(Text("signals-cells", place=place, count=width, expected=expected))
+    if names and not names[0] and not time_names(names) and _holds_times(kinds[0], [row[0] for row in of_width]):
+        names = [TIME, *names[1:]]
     named = names or [f"column_{number}" for number in range(1, width + 1)]
     in_names = [unit for _, unit in bare_names(named)]
     said = [unit or other for unit, other in zip(units or [""] * width, in_names, strict=True)]
-    return TableForm(dialect, tuple(named), tuple(said), tuple(kinds), rows[first].number, bool(names))
+    groups = time_groups(named, said)
+    return TableForm(
+        dialect,
+        tuple(unique_names(named) if groups else named),
+        tuple(said),
+        tuple(kinds),
+        rows[first].number,
+        bool(names),
+        rate or stated_rate(line.text for line in above if header.top is None or line.number < header.top),
+        groups,
+    )
+
+
+def _start_of(rows: Sequence[Line], first: int, dialect: Dialect) -> TableStart:
+    """Return where the rows begin, of which the first one that is like a row is `first`.
+
+    AcqKnowledge writes how many samples each channel has below the names, pandas numbers as names, and Empatica the
+    beginning (s since 1970) and the sample rate in place of a header.
+    """
+    found = [cells_of(line.text, dialect.separator) for line in rows[first : first + 3]]
+    if len(found) < 3:
+        return TableStart(first, [], None)
+    (top, second, _), at_top = found, first == 0
+    filled = [cell for cell in top if cell]
+    if not top[0] and len(set(filled)) == 1 and filled[0].isdecimal() and FOLLOWING <= int(filled[0]) <= MOST_COUNTED:
+        return TableStart(first + 1, [], None)
+    is_counted = filled == [str(number) for number in range(len(filled))]
+    if at_top and is_counted and (not top[0] or len(filled) >= SURELY_NAMES):
+        return TableStart(first + 1, top, None)
+    begin, rate = number_of(top[0], dialect.decimal), number_of(second[0], dialect.decimal)
+    are_alike = len({*top}) == len({*second}) == 1
+    if at_top and are_alike and begin is not None and rate is not None and FIRST <= begin < LAST and rate > 0:
+        return TableStart(2, [], rate)
+    return TableStart(first, [], None)
+
+
+def _holds_times(kind: Kind, cells: Sequence[str]) -> bool:
+    """Return whether a first column without a name holds times, and is no index."""
+    return kind == "moment" or (kind == "number" and not _is_index(cells))
 
 
 def _is_index(cells: Sequence[str]) -> bool:
@@ -224,60 +280,6 @@ def _kind(cells: Sequence[str]) -> Kind:
     if 2 * sum(map(is_like_a_number, cells)) >= len(cells):
         return "number"
     return "moment" if 2 * sum(map(is_moment, cells)) >= len(cells) else "text"
-
-
-def _header(above: Sequence[Line], separator: str, width: int) -> tuple[list[str], list[str]]:
-    """Return the names and the units that stand above the rows; both are empty where no line fits."""
-    lines = list(islice(reversed(above), MOST_ABOVE))
-    nearest = [_header_cells(line, separator, width) for line in lines]
-    has_units = len(nearest) > 1 and bool(nearest[1]) and (is_units(nearest[0]) or _stand_below(*nearest[:2]))
-    units, at = (nearest[0], 1) if has_units else ([], 0)
-    if len(nearest) <= at or not nearest[at]:
-        return [], []
-    names = nearest[at]
-    if len(lines) > at + 1 and not is_comment(lines[at + 1].text) and separator != BLANKS:
-        names = _with_groups(names_of(lines[at + 1].text, separator, width)[:width], names)
-    units = (units + [""] * len(names))[: len(names)]
-    return names, [unit.strip("()[] ") for unit in units]
-
-
-def _stand_below(cells: Sequence[str], names: Sequence[str]) -> bool:
-    """Return whether cells are units that nobody knows: they stand below different names, one of them the time."""
-    are_names = len(set(names)) == len(names) and all(names[1:]) and bool(time_names(names))
-    return are_names and not time_names(cells)
-
-
-def _header_cells(line: Line, separator: str, width: int) -> list[str]:
-    """Return the cells of a line that can be a header of rows of `width` cells, else none."""
-    text = without_mark(line.text) if is_comment(line.text) else line.text
-    cells = names_of(text, separator, width)
-    if len(cells) == width + 1 and not cells[-1]:
-        cells.pop()
-    if len(cells) not in {width, width - 1} or not any(cells):
-        return []
-    filled = [cell for cell in cells if cell]
-    return [] if all(map(is_like_a_number, filled)) else ["" if NO_NAME.fullmatch(cell) else cell for cell in cells]
-
-
-def _with_groups(groups: Sequence[str], names: Sequence[str]) -> list[str]:
-    """Return names with those in the line above them: a marker over its X, Y and Z, the time over nothing.
-
-    The line above counts only where names stand twice, or are missing, and when it is no title of few cells.
-    """
-    filled = [name for name in names if name]
-    if 2 * len(groups) < len(names):
-        return list(names)
-    groups = [*groups, *[""] * (len(names) - len(groups))]
-    has_twins = len(set(filled)) < len(filled)
-    has_gaps = any(over and not name for over, name in zip(groups, names, strict=True))
-    if not has_twins and not (has_gaps and sum(map(bool, groups)) > 1):
-        return list(names)
-    named, group = [], ""
-    for over, name in zip(groups, names, strict=True):
-        group = over or group
-        stands_under = name and group and (names.count(name) > 1 or has_gaps)
-        named.append(f"{group} {name}" if stands_under else name or over)
-    return named
 
 
 def _count_of_names(line: Line, dialect: Dialect) -> int:

@@ -27,8 +27,12 @@ TIME_WORDS: Final = (
     ("latency", "elapsed", "clock", "uhrzeit", "hora", "datetime", "unix", "epoch", "utc", "lsl", "secs", "nsecs"),
 )
 COUNTER_WORDS: Final = frozenset(
-    ("index", "sample", "samples", "frame", "packet", "counter", "count", "seq", "sequence", "row", "number", "nr")
+    (
+        *("index", "sample", "samples", "frame", "packet", "counter", "count", "seq", "sequence", "row", "number"),
+        *("nr", "item", "id", "zeile", "bild", "fila", "cuadro"),
+    )
 )
+NO_UNITS: Final = frozenset(("", "1", "-", "none", "n/a", "raw", "count", "counts", "unit", "units", "a.u.", "au"))
 NOT_TIME: Final = frozenset(("of", "rate", "index", "delta", "diff", "duration", "zone", "sync", "constant"))
 
 
@@ -52,8 +56,10 @@ def stated_unit(name: str, units: Mapping[str, str]) -> str | None:
 
 def time_rank(name: str) -> int | None:
     """Return how surely a name is that of a time, 0 the surest; None when it is none."""
-    words = _words(bare_name(name)[0])
-    if not words or NOT_TIME.intersection(words):
+    bare, unit = bare_name(name)
+    words = _words(bare)
+    is_of_another_unit = unit.lower() not in NO_UNITS and unit_of_word(unit) is None  # T [°C]
+    if not words or is_of_another_unit or NOT_TIME.intersection(words):
         return None
     for rank, known in enumerate(TIME_WORDS):
         if words[0] in known and len(words) == 1:

@@ -7,7 +7,7 @@ from contextlib import ExitStack
 from typing import Any
 
 import pytest
-from api.fake_clinic import BASE, Clinic, next_message
+from api.fake_clinic import BASE, Clinic, is_news, next_message
 from api.routes_with_ids import MISSING, places
 from api.served_routes import requested, routes_of
 from api.test_roles import FOR_REVIEWERS
@@ -126,6 +126,21 @@ def test_news_of_another_patient_reaches_no_reviewer(reviewed: Clinic) -> None:
         session = reviewed.open_session(shown)["session"]["id"]  # ends the other one, which is news, too
         news = next_message(socket, lambda m: m.get("news", {}).get("patient"))["news"]
     assert news == {"what": "session", "patient": shown, "session": session, "trial": None}
+
+
+def test_a_deletion_and_its_undoing_are_told_to_those_who_could_see_the_patient(reviewed: Clinic) -> None:
+    shown, hidden = reviewed.shown, reviewed.add_patient("HIDDEN-3")  # type: ignore[attr-defined]
+    with ExitStack() as stack:
+        with reviewed.as_person(reviewer(reviewed, shown)):
+            socket = stack.enter_context(reviewed.socket("/live"))
+            socket.receive_json()
+        for patient in (hidden, shown):
+            reviewed.good("DELETE", f"/patients/{patient}")
+        told = next_message(socket, is_news("deletion"))["news"]
+        assert told == {"what": "deletion", "patient": shown, "session": None, "trial": None}
+        for patient in (hidden, shown):
+            reviewed.good("POST", f"/patients/{patient}/restore")
+        assert next_message(socket, is_news("restoration"))["news"] == told | {"what": "restoration"}
 
 
 def test_until_it_is_known_who_asks_no_patient_exists(settings: Settings) -> None:

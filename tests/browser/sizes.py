@@ -13,6 +13,11 @@ SIZES = ("768x1024", "1280x800", "390x844")  # a tablet upright, a computer or a
 TOO_WIDE = """() => [document.documentElement, document.querySelector("main")]
   .some((one) => one && one.scrollWidth > one.clientWidth)"""
 SETTLE = 250  # ms after a change of the size
+# Before a page is drawn the second time, everything has heard of a change. The browser draws more often than the page.
+TWICE_DRAWN = """() => new Promise((done) => {
+  const next = window.everyPicture ?? window.requestAnimationFrame;
+  next(() => next(done));
+})"""
 # Pictures are for people to look at, and to take one takes longer than to look at the page.
 ARE_KEPT = os.environ.get("BODYDRIVE_PICTURES") == "1"
 
@@ -24,10 +29,14 @@ def window(size: str) -> ViewportSize:
 
 
 def each_size(page: Any, sizes: Sequence[str] = SIZES, settle: float = SETTLE) -> Iterator[str]:
-    """Give the page one size after the other, each for `settle` ms before it is looked at, and then its own again."""
+    """Give the page one size after the other, and then its own again.
+
+    It is looked at when it has been drawn twice in a size, and `settle` ms have gone by.
+    """
     before = page.viewport_size
     for size in sizes:
         page.set_viewport_size(window(size))
+        page.evaluate(TWICE_DRAWN)
         page.wait_for_timeout(settle)
         yield size
     page.set_viewport_size(before)
@@ -49,6 +58,7 @@ def photograph(page: Any, name: str, sizes: Sequence[str] = SIZES, touched: str 
 
 def fits(page: Any, touched: str = "", what: str = "") -> None:
     """Fail when the page scrolls sideways, or when a control within `touched` (a selector) is too small to touch."""
+    page.evaluate(TWICE_DRAWN)
     if misfits(page, touched):
         page.wait_for_timeout(SETTLE)  # until charts have followed the window
     assert misfits(page, touched) == [], what

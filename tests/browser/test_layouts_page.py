@@ -53,7 +53,7 @@ def change_first_sensor(page: Any) -> None:
 
 def export_and_import(page: Any, file: Any) -> None:
     """Export the layout in use, which cannot be deleted, as a file, and import that under another name."""
-    page.get_by_role("link", name="Edit the layout").click()
+    page.get_by_role("link", name="All layouts").click()
     page.get_by_role("button", name=f"Delete “{NAME}”").click()
     expect(page.get_by_text("use another layout first")).to_be_visible()
     with page.expect_download() as download:
@@ -66,11 +66,11 @@ def export_and_import(page: Any, file: Any) -> None:
     page.get_by_text("A file with a layout", exact=True).click()
     no_layout = {"name": "x.json", "mimeType": "application/json", "buffer": b"[1]"}
     page.get_by_label("File", exact=True).set_input_files(no_layout)
-    page.get_by_role("button", name="Make it").click()
+    page.get_by_role("button", name="Make the layout").click()
     expect(page.get_by_role("alert").filter(has_text="x.json: this is no layout")).to_be_visible()
     page.get_by_label("File", exact=True).set_input_files(file)
     page.get_by_label("Name of the layout").fill("Again")
-    page.get_by_role("button", name="Make it").click()
+    page.get_by_role("button", name="Make the layout").click()
     expect(page.get_by_role("heading", name="Layout: Again")).to_be_visible()
 
 
@@ -79,16 +79,16 @@ def test_a_layout_is_made_changed_saved_and_used(own_demo: str, open_page: Any, 
     expect(page.get_by_role("heading", name="Where to?")).to_be_visible()
     put_first_sentences_away(page)
     go_to(page, "shirt")
-    page.get_by_role("link", name="Edit the layout").click()
+    page.get_by_role("link", name="All layouts").click()
     expect(page.get_by_role("heading", name="Layouts", exact=True)).to_be_focused()
     page.get_by_label("Name of the layout").fill(NAME)
-    page.get_by_role("button", name="Make it").click()
+    page.get_by_role("button", name="Make the layout").click()
     expect(page.get_by_role("heading", name=f"Layout: {NAME}")).to_be_visible()
 
     change_first_sensor(page)
     page.get_by_role("button", name="Save", exact=True).click()
     expect(page.get_by_text(f"“{NAME}” was saved.")).to_be_visible()
-    page.get_by_role("button", name="Use it").click()
+    page.get_by_role("button", name="Use", exact=True).click()
     expect(page.get_by_text(f"The shirt now has the layout “{NAME}”.")).to_be_visible()
 
     # The lamp of the sensor stands where it was put, and is lit.

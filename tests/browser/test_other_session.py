@@ -175,3 +175,23 @@ def test_who_opens_a_session_is_asked_before_that_of_another_patient_ends(tablet
 
 def is_end(route):
     return route.request.method == "DELETE"
+
+
+def test_a_patient_who_is_deleted_leaves_every_page_and_comes_back_to_the_list(tablets, served):
+    first, second = tablets
+    patient = served.patients["A-03"]
+    served.good("DELETE", "/session")
+    go(first, f"session/patient/{patient}")
+    expect(first.locator(".who")).to_have_text("A-03 shown")
+    go(second, "patients")
+    row = second.get_by_role("listitem").filter(has_text="A-03")
+    expect(row).to_have_count(1)
+    served.good("DELETE", f"/patients/{patient}")
+    expect(first.get_by_role("heading", name="Patient deleted")).to_be_focused()
+    expect(first.get_by_text("A-03 was deleted: nothing of this patient can be seen")).to_be_visible()
+    expect(first.locator(".who")).to_have_text("No session is open")
+    expect(row).to_have_count(0)
+    served.good("POST", f"/patients/{patient}/restore")
+    expect(row).to_have_count(1)
+    first.get_by_role("main").get_by_role("link", name="Patients").click()
+    expect(first.get_by_role("heading", name="Who has come?")).to_be_visible()

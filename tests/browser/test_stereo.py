@@ -8,7 +8,7 @@ import pytest
 from browser.eyes.sweep import small_targets
 from browser.served.restarted_clinic import RestartedClinic
 from browser.served.view_app import Running
-from browser.sizes import each_size, keep
+from browser.sizes import ARE_KEPT, each_size, keep
 from PIL import Image
 from playwright.sync_api import expect
 
@@ -96,12 +96,15 @@ def choose(page, mode, screen="Infinity"):
 
 
 def picture(page, name=None):
-    """Return the whole page without its bar, when the cameras have been put and the picture drawn."""
+    """Return the whole page without its bar, when the cameras have been put and the picture drawn.
+
+    With a name it is kept, where BODYDRIVE_PICTURES=1 asks for pictures.
+    """
     page.mouse.move(300, 30)
     page.wait_for_timeout(1000)
     page.evaluate(AWAY)
     page.wait_for_timeout(1000)
-    shot = page.screenshot(path=name and SCREENSHOTS / f"{name}.png")
+    shot = page.screenshot(path=SCREENSHOTS / f"{name}.png" if name and ARE_KEPT else None)
     return np.asarray(Image.open(io.BytesIO(shot)).convert("RGB"), dtype=np.float64)
 
 

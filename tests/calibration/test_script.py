@@ -3,7 +3,7 @@
 import pytest
 from calibration.simulated_person import layout_of
 
-from app.calibration.script import REPETITIONS, calibration_script
+from app.calibration.script import REPETITIONS, SHORT_REPETITIONS, calibration_script, has_short_script, short_script
 from app.cues import Cue, cue_index
 from app.messages import NO_CUE
 
@@ -59,3 +59,21 @@ def test_each_gesture_is_prompted_three_times_and_comes_back_slower():
 def test_cue_index_follows_the_clock():
     cues = (Cue(start=1.0, end=2.0, kind="rest"), Cue(start=2.0, end=3.0, kind="free"))
     assert [cue_index(cues, t) for t in (0.5, 1.0, 1.99, 2.0, 3.0)] == [NO_CUE, 0, 0, 1, NO_CUE]
+
+
+def test_the_short_calibration_prompts_the_joints_of_the_controls_by_the_beginnings_of_the_whole_steps():
+    """Recordings of it are read by the cues of the whole one, whose indices are the same."""
+    layout = layout_of(("right_elbow", "left_shoulder", "right_shoulder", "trunk", "head", "tongue"))
+    whole = {step.id: step for step in calibration_script(layout)}
+    short = short_script(layout)
+    assert [step.joint for step in short] == [None, None, "left_shoulder", "right_shoulder", "trunk", "head"]
+    assert all(step.cues == whole[step.id].cues[: len(step.cues)] for step in short)
+    assert [max(cue.repetition for cue in step.cues) for step in short[2:]] == [SHORT_REPETITIONS] * 4
+    assert all(step.duration == step.cues[-1].end for step in short)
+    assert "turn your head" in str(short[1].instruction)
+    assert sum(step.duration for step in short) < 60.0
+
+
+def test_only_a_layout_with_all_joints_of_the_controls_has_a_short_calibration():
+    assert has_short_script(layout_of(("head", "trunk", "left_shoulder", "right_shoulder")))
+    assert not has_short_script(layout_of(("head", "trunk", "left_shoulder")))

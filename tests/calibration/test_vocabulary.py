@@ -39,6 +39,25 @@ def test_a_chair_is_armed_with_the_hash_of_the_set_and_its_document(parameters, 
     assert arming_hash(parameters, document) == both
 
 
+def test_without_elbows_trunk_and_head_take_their_controls():
+    upright = {
+        ("u1+", ("trunk",)),
+        ("u1-", ("head",)),
+        ("u2+", ("right_shoulder",)),
+        ("u2-", ("left_shoulder",)),
+    }
+    profile = make_profile(joints=("head", "trunk", "left_shoulder", "right_shoulder", "right_elbow"))
+    assert ("u1+", ("right_elbow",)) in bound(profile)
+    *four, elbow = profile.joints
+    unprompted = elbow.model_copy(update={"prompted": False})
+    assert bound(profile.model_copy(update={"joints": (*four, unprompted)})) == upright
+    assert bound(profile.model_copy(update={"joints": tuple(four)})) == upright
+    assert bound(profile.model_copy(update={"joints": tuple(four[1:])})) == {
+        ("u2+", ("right_shoulder",)),
+        ("u2-", ("left_shoulder",)),
+    }
+
+
 def test_the_hash_is_that_of_what_drives():
     parameters = standard_parameters(make_profile())
     again = DriveParameters.model_validate_json(parameters.model_dump_json())

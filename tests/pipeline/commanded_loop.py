@@ -7,6 +7,7 @@ import socket
 from fake_clock import FakeClock
 from pipeline.scripted_shirt import ScriptedShirt
 
+from app.hardware.shirt.udp import UdpConfig
 from app.pipeline.commands import Commands
 from app.pipeline.loop import ControlLoop
 from app.pipeline.setup import Setup
@@ -26,7 +27,7 @@ class CommandedLoop:
         self.setup = Setup(self.clock)
         layout = self.parameters.profile.layout
         self.setup.shirt = ScriptedShirt(self.clock, [i / 100 for i in range(2000)], signals, layout=layout)
-        self.setup.mistrust = None  # as for a shirt with a key
+        self.setup.shirt_config = UdpConfig(kind="udp", key_file="shirt-1.key")  # may arm a real chair
         self.setup.use_parameters(self.parameters)
         self.loop = ControlLoop(self.setup, self.ring, None, self.clock)
         self._ours, theirs = socket.socketpair()

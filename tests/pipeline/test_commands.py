@@ -15,9 +15,10 @@ from app.disk_room import ROOM_TO_RECORD
 from app.faults import Fault, State
 from app.geometry import Twist
 from app.hardware.chair.key import new_key, read_key, write_key
+from app.hardware.shirt.kind import NO_CABLE
 from app.hardware.shirt.packet import encode
 from app.pipeline.runs import require_room
-from app.pipeline.setup import CommandRefused
+from app.pipeline.setup import CommandRefused, Setup
 from app.session.equipment.pairing import pair_shirt, shirt_key_file
 from app.speed_limits import HIGHEST_SPEEDS, Speeds
 from app.world.clearance import Clearance
@@ -306,6 +307,14 @@ def test_a_source_without_trust_arms_no_real_chair(control, chair, tmp_path):
     network_shirt(control, key_file=str(shirt_key_file(tmp_path, pair_shirt(tmp_path).id)))
     assert "begin a drive" in control.refused("arm", hash=digest)
     control.setup.close()
+
+
+def test_a_line_that_becomes_a_cable_while_it_is_asked_arms_no_real_chair(control, chair, monkeypatch):
+    """Safety S29."""
+    control.done("chair", config=chair.document)
+    answers = iter([NO_CABLE, None])
+    monkeypatch.setattr(Setup, "mistrust", property(lambda _setup: next(answers)))
+    assert control.refused("arm", hash=control.parameters.hash) == str(NO_CABLE)
 
 
 @pytest.mark.parametrize("happens", ["deleted", "replaced", "readable"])

@@ -1,4 +1,5 @@
 import math
+import threading
 
 import pytest
 from fake_clock import FakeClock
@@ -56,7 +57,8 @@ def test_straight_ahead_is_where_one_says(head):
 class Broken:
     """A tracker whose device breaks."""
 
-    closed = False
+    def __init__(self):
+        self.closed = threading.Event()
 
     def open(self):
         """It can be had."""
@@ -68,7 +70,7 @@ class Broken:
         return "It is fine."
 
     def close(self):
-        self.closed = True
+        self.closed.set()
 
 
 def test_a_tracker_that_fails_is_let_go_and_said(head, monkeypatch):
@@ -76,7 +78,7 @@ def test_a_tracker_that_fails_is_let_go_and_said(head, monkeypatch):
     monkeypatch.setattr("app.pipeline.setup.make_head", lambda _config, _clock: broken)
     use(head)
     assert all(map(math.isnan, noted(head)))
-    assert broken.closed
+    assert broken.closed.wait(10.0), "in a thread of its own"
     assert str(head.description) == "The head tracker failed (no more): choose it again."
     assert all(map(math.isnan, noted(head)))
     head.close()

@@ -1,6 +1,7 @@
 """The loop on a fake clock: a tick for each frame, ticks without frames, late ticks, cues, the scene's time."""
 
 import math
+import threading
 
 import numpy as np
 import pytest
@@ -17,6 +18,8 @@ from app.pipeline.loop import LONGEST_WAIT, ControlLoop
 from app.pipeline.open_run import OpenRun
 from app.pipeline.setup import Setup
 from app.world.movers import Track
+
+WAIT = 10.0  # s
 
 
 class Writer:
@@ -157,6 +160,24 @@ def test_a_shirt_whose_driver_fails_is_let_go_and_the_ticks_go_on(ring):
     assert ticks["has_frame"].tolist() == [1, 1, 0, 0, 0, 0, 0]
     assert loop.setup.shirt is None
     assert str(loop.setup.shirt_description) == "The shirt failed (the cable burnt): choose it again."
+
+
+def test_a_failed_shirt_that_takes_long_to_close_holds_up_no_tick(ring):
+    """Safety: a loop without a tick for two seconds is replaced."""
+    loop = loop_with(ring, [])
+    closed, closed_by = threading.Event(), []
+
+    def close():
+        closed_by.append(threading.current_thread())
+        closed.set()
+
+    def fail(_timeout):
+        raise OSError("gone")
+
+    loop.setup.shirt.read, loop.setup.shirt.close = fail, close
+    ticks_of(loop, 3)
+    assert closed.wait(WAIT)
+    assert closed_by != [threading.current_thread()]
 
 
 ANNA = {"name": "anna", "kind": "person", "points": [[2, 0], [6, 0]], "pace": [[0, 0.5]]}

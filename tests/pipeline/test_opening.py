@@ -107,6 +107,17 @@ def test_what_hangs_is_given_up_and_closed_when_it_comes_after_all(devices):
     assert devices.taken == []
 
 
+def test_what_opened_at_the_last_moment_is_not_closed_on_the_loop(devices):
+    device, closed_by = Device(), []
+    device.close = lambda: (closed_by.append(threading.current_thread()), device.closed.set())
+    devices.begin(lambda: device)
+    attempt = devices.openings._attempt
+    attempt.join(WAIT)
+    attempt.give_up()
+    assert device.closed.wait(WAIT)
+    assert closed_by != [threading.current_thread()]
+
+
 def test_no_more_threads_hang_than_memory_bears(devices):
     release = threading.Event()
     for _ in range(MOST_STUCK):

@@ -70,6 +70,7 @@ MAY_IMPORT = {
             "signals.parquet_names",
             "signals.table_form",
             "signals.time_names",
+            *("signals.bids_motion", "signals.import_options", "signals.joint_names", "signals.overview"),
             "world",
             "calibration",
             "scoring",

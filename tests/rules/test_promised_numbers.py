@@ -4,7 +4,9 @@ import re
 from datetime import timedelta
 
 import pytest
-from promises.page import promises
+from odd_values import odd_values
+from processes.test_odd_equipment import FIELDS
+from promises.page import SAFETY, promises
 
 from app import disk_room
 from app.api.live import screens
@@ -12,6 +14,7 @@ from app.api.sign_in import passwords, set_up, sign_in_limits
 from app.calibration.vocabulary import DriveParameters
 from app.hardware.chair import receiver
 from app.hardware.shirt import frame_order
+from app.messages import FRESH_PERIODS
 from app.pipeline import chain, channel_health, loop, movement_check, opening, safety_gate
 from app.recording.format import LOST_AT_MOST
 from app.session import run_watch, screen_codes
@@ -34,6 +37,7 @@ NUMBERS = [
     ("S4", "Below 60 Hz", safety_gate.SLOW_SHIRT, 60.0),
     ("S5", "flat for 200 ms", channel_health.FLAT_TIME, 0.2),
     ("S5", "quieter than its own noise for 300 ms", channel_health.STUCK_TIME, 0.3),
+    ("S5", "nothing for three periods", FRESH_PERIODS, 3.0),
     ("S5", "1.5 x its calibrated range", channel_health.RANGE_FACTOR, 1.5),
     ("S5", "two such gestures stop", safety_gate.BAD_GESTURES, 2),
     ("S7", "300 ms of silence", safety_gate.SCREEN_SILENT, 0.3),
@@ -68,3 +72,9 @@ WORDS = {promise.id: promise.words for promise in promises()}
 def test_a_number_of_a_promise_is_that_of_the_program(row: str, words: str, found: object, promised: object) -> None:
     assert re.search(re.escape(words), WORDS[row])
     assert found == pytest.approx(promised) if isinstance(promised, float | tuple) else found == promised
+
+
+def test_as_many_odd_values_are_tried_in_as_many_fields_as_are_promised() -> None:
+    (row,) = (line for line in SAFETY.read_text(encoding="utf-8").splitlines() if line.startswith("| S28 |"))
+    values = odd_values()
+    assert f"{len(FIELDS)} fields x {len(values)} odd values (`make test`: {len(values[::5])} of each" in row

@@ -11,6 +11,7 @@ from pathlib import Path
 
 import numpy as np
 from hardware.shirt.camera_page import CHANNELS, message_of
+from hardware.shirt.orientation_sensors.fake_bleak import FakeSensor
 from hardware.shirt.orientation_sensors.phone_page import PhonePage
 from hardware.shirt.orientation_sensors.slime_tracker import SlimeTracker
 from hardware.shirt.wired_board import WiredBoard, frame_bytes
@@ -239,6 +240,44 @@ class CameraEnd(PagesEnd):
         values = np.zeros(CHANNELS, dtype=np.float32)
         values[0] = angle_at(now)
         self.hand_on(1, message_of(self.sent, now, now, values))
+
+
+class BluetoothEnd(FarEnd):
+    """Sensors over Bluetooth that turn about one axis, as far as the fake of bleak shows them."""
+
+    def go(self, address):
+        self._address = address
+        self._socket = socket.socket(socket.AF_INET, socket.SOCK_DGRAM)
+        self._sensors = {bytes.fromhex(mac.replace(":", "")): FakeSensor(mac) for mac in MACS.values()}
+
+    def step(self, now):
+        for mac, sensor in self._sensors.items():
+            sensor.angles = (0.0, 0.0, math.degrees(angle_at(now)) if self.moves else 0.0)
+            if not self.is_cut:
+                self._socket.sendto(mac + sensor.motion(), self._address)
+                self.sent += 1
+
+    def close(self):
+        self._socket.close()
+
+
+class BoardEnd(FarEnd):
+    """A board of BrainFlow's, as far as the fake of BrainFlow shows it; its time goes on while nothing gets through."""
+
+    def go(self, address):
+        self._address, self._seq, self._begun = address, 0, MonotonicClock().now()
+        self._socket = socket.socket(socket.AF_INET, socket.SOCK_DGRAM)
+
+    def step(self, now):
+        if not self.is_cut:
+            values = np.zeros(SENSORS + 1)
+            values[:3], values[SENSORS] = time_parts(now), self._begun + self._seq / self.rate
+            self._socket.sendto(values.tobytes(), self._address)
+            self.sent += 1
+        self._seq += 1
+
+    def close(self):
+        self._socket.close()
 
 
 class LslEnd(FarEnd):

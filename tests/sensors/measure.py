@@ -47,6 +47,7 @@ class Measured:
     back: float = 0.0  # the longest time from the end of a cut to a frame
     junk: int | None = None  # frames that came of junk; None: no junk reaches the driver
     second: str | None = None  # what became of a second sender; None: there is none
+    failure: str = ""  # what ended the measurement; empty: it came to its end
 
 
 class ReadShirt:
@@ -72,11 +73,17 @@ class ReadShirt:
                 self.shirt.add_sample(sample.page, bytes.fromhex(sample.message), sample.received)
         return frame
 
-    def read_until(self, is_enough: Callable[[Any], bool], what: str) -> None:
-        """Read until `is_enough` returns true of a frame or None; AssertionError when that takes too long."""
+    def reads_until(self, is_enough: Callable[[Any], bool]) -> bool:
+        """Read until `is_enough` returns true of a frame or None; return False when that takes too long."""
         until = self._clock.now() + PATIENCE
         while not is_enough(self.read()):
-            assert self._clock.now() < until, f"{what}: {self.shirt.description()}"
+            if self._clock.now() >= until:
+                return False
+        return True
+
+    def read_until(self, is_enough: Callable[[Any], bool], what: str) -> None:
+        """Read until `is_enough` returns true of a frame or None; AssertionError when that takes too long."""
+        assert self.reads_until(is_enough), f"{what}: {self.shirt.description()}"
 
     def read_for(self, seconds: float) -> None:
         """Read for so long (s)."""
@@ -84,8 +91,8 @@ class ReadShirt:
         while self._clock.now() < until:
             self.read()
 
-    def read_until_quiet(self, seconds: float) -> None:
-        """Read until no frame has come for so long (s)."""
+    def quiet_for(self, seconds: float) -> Callable[[Any], bool]:
+        """Return a function that says of each frame, or None, whether no frame has come for so long (s)."""
         newest = self._clock.now()
 
         def is_quiet(frame: Any) -> bool:
@@ -93,10 +100,12 @@ class ReadShirt:
             newest = newest if frame is None else self._clock.now()
             return self._clock.now() - newest >= seconds
 
-        self.read_until(is_quiet, "frames go on")
+        return is_quiet
 
 
-def measure(subject: Subject, seconds: float, cuts: int, junk: int, folder: Path, *, apart: bool = True) -> Measured:
+def measure(
+    subject: Subject, seconds: float, cuts: int, junk: int, folder: Path, *, least: int = 1, apart: bool = True
+) -> Measured:
     """Measure one driver.
 
     Parameters
@@ -109,6 +118,8 @@ def measure(subject: Subject, seconds: float, cuts: int, junk: int, folder: Path
         How often it is cut off, and how many pieces of junk are sent.
     folder : Path
         An empty folder for what the driver and its far end share.
+    least : int
+        How many frames have to show their time, also when that takes longer than `seconds`.
     apart : bool
         Whether the far end runs in a process of its own, so that its work is not counted; otherwise in a thread.
     """
@@ -123,11 +134,13 @@ def measure(subject: Subject, seconds: float, cuts: int, junk: int, folder: Path
         reading.read_for(SETTLING)
         ages = list[float]()
         first, sent = reading.frames, ask("count")
-        began, worked = clock.now(), time.process_time()
-        while clock.now() - began < seconds:
+        began, worked, shown_count = clock.now(), time.process_time(), 0
+        while clock.now() - began < seconds or shown_count < least:
+            assert clock.now() - began < seconds + PATIENCE, f"too few frames: {shirt.description()}"
             frame = reading.read()
             if frame is not None:
                 ages.append(subject.age(frame, clock.now()))
+                shown_count += not math.isnan(ages[-1])
         passed, worked = clock.now() - began, time.process_time() - worked
         measured.sent, measured.frames = ask("count") - sent, reading.frames - first
         measured.processor = worked / passed
@@ -141,25 +154,27 @@ def measure(subject: Subject, seconds: float, cuts: int, junk: int, folder: Path
         measured.lost += shirt.lost
         if subject.far_end:
             measured.cuts = cuts
-            for _ in range(cuts):
-                measured.back = max(measured.back, cut_off(reading, ask, subject))
-                measured.found += 1
+            came_back = [back for _ in range(cuts) if (back := cut_off(reading, ask, subject)) is not None]
+            measured.found, measured.back = len(came_back), max(came_back, default=0.0)
             ask("pause")
-            reading.read_until_quiet(QUIET)
+            reading.read_until(reading.quiet_for(QUIET), "frames go on")
     measured.junk = subject.junk(folder, junk)
     measured.second = subject.second(folder)
     return measured
 
 
-def cut_off(reading: ReadShirt, ask: Any, subject: Subject) -> float:
-    """Cut a driver off until it is silent; return how long (s) after the end of the cut it has a frame again."""
+def cut_off(reading: ReadShirt, ask: Any, subject: Subject) -> float | None:
+    """Cut a driver off until it is silent; return how long (s) after the end of the cut it has a frame again.
+
+    None: it did not fall silent, or no frame came again.
+    """
     clock = MonotonicClock()
     ask("cut")
-    reading.read_until_quiet(ALIVE)
+    was_silent = reading.reads_until(reading.quiet_for(ALIVE))
     ask("mend")
     mended = clock.now()
-    reading.read_until(shows_time(subject), "no frame after the cut")
-    return clock.now() - mended
+    came_back = reading.reads_until(shows_time(subject))
+    return clock.now() - mended if was_silent and came_back else None
 
 
 def shows_time(subject: Subject) -> Callable[[Any], bool]:

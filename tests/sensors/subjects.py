@@ -3,11 +3,14 @@
 import random
 import socket
 from contextlib import contextmanager, suppress
+from functools import partial
 
 import numpy as np
 from fake_clock import FakeClock
 from hardware.shirt.camera_page import CHANNELS
+from hardware.shirt.fake_brainflow import FakeBrainFlow
 from hardware.shirt.fake_lsl import FakeLsl
+from hardware.shirt.orientation_sensors.fake_bleak import FakeBleak
 from hardware.shirt.orientation_sensors.phone_page import PhonePage
 from hardware.shirt.orientation_sensors.slime_tracker import SlimeTracker
 from hardware.shirt.wired_board import WiredBoard
@@ -16,6 +19,8 @@ from sensors.far_ends import (
     PHONES,
     SENSORS,
     STREAM,
+    BluetoothEnd,
+    BoardEnd,
     CameraEnd,
     FarEnd,
     FramesEnd,
@@ -28,13 +33,16 @@ from sensors.far_ends import (
     age_of_parts,
     line_in,
 )
+from sensors.fed_shirt import FedShirt, take_notification
 
 from app.api.live.camera_socket import ActiveCamera
 from app.clock import MonotonicClock
 from app.hardware.base import HardwareError
 from app.hardware.body.person import SimulatedPerson
+from app.hardware.shirt.brainflow_board import BrainFlowConfig, BrainFlowShirt
 from app.hardware.shirt.camera import HEADER, CameraConfig, CameraShirt
 from app.hardware.shirt.lsl import LslConfig, LslShirt
+from app.hardware.shirt.orientation_sensors.bluetooth import BluetoothConfig, BluetoothShirt
 from app.hardware.shirt.orientation_sensors.phones import MESSAGE, PhonesConfig, PhonesShirt
 from app.hardware.shirt.orientation_sensors.slimevr import SlimeVrConfig, SlimeVrShirt
 from app.hardware.shirt.packet import encode
@@ -61,13 +69,15 @@ class Subject:
 
     Attributes
     ----------
+    kind : str
+        The name of its kind of shirt.
     far_end : type or None
         The class of its far end; None: there is none.
     is_counted : bool
         Whether each sample of the far end is a frame.
     """
 
-    title, what, rate = "", "", 100.0
+    kind, title, what, rate = "", "", "", 100.0
     far_end: type[FarEnd] | None = None
     is_counted = True
 
@@ -87,6 +97,7 @@ class Subject:
 
 
 class Simulator(Subject):
+    kind = "simulator"
     title, what, rate = "simulator (reference)", "52 sensors, a simulated person", 1000.0
 
     def shirt(self, _folder):
@@ -99,6 +110,7 @@ class Simulator(Subject):
 
 
 class Udp(Subject):
+    kind = "udp"
     title, what, rate, far_end = "UDP", "52 sensors as float32", 1000.0, UdpEnd
 
     def shirt(self, _folder):
@@ -127,6 +139,7 @@ class Udp(Subject):
 
 
 class Frames(Subject):
+    kind = "serial"
     title, what, rate, far_end = "cable, frames", "52 sensors as int16, a checksum", 1000.0, FramesEnd
     format = "frames"
 
@@ -177,6 +190,7 @@ class Lines(Frames):
 
 
 class Trackers(Subject):
+    kind = "slimevr"
     title, what, rate, far_end = "SlimeVR", "8 trackers", 100.0, TrackersEnd
     is_counted = False
 
@@ -212,7 +226,37 @@ class Trackers(Subject):
         return "counted, named, not answered"
 
 
+class Bluetooth(Subject):
+    kind = "bluetooth"
+    title, what, rate, far_end = "Bluetooth", "8 sensors, no radio", 100.0, BluetoothEnd
+    is_counted = False
+
+    def shirt(self, _folder):
+        bleak = FakeBleak()
+        for mac in MACS.values():
+            bleak.add_sensor(mac)
+        config = BluetoothConfig(kind="bluetooth", sample_rate=self.rate, **MACS)
+        return FedShirt(BluetoothShirt(config, MonotonicClock(), lambda: bleak), partial(take_notification, bleak))
+
+    def age(self, frame, now):
+        return age_of_angle(frame.values[2], now)
+
+    def junk(self, _folder, count):
+        source, frames, bleak = random.Random(5), 0, FakeBleak()
+        sensor = bleak.add_sensor(MACS["trunk"])
+        config = BluetoothConfig(kind="bluetooth", sample_rate=self.rate, trunk=sensor.address)
+        with opened(BluetoothShirt(config, MonotonicClock(), lambda: bleak)) as shirt:
+            sensor.wait_until_connected()
+            for i in range(count):
+                sensor.send(source.randbytes(1 + i % 40))
+                if i % AT_ONCE == AT_ONCE - 1 or i == count - 1:
+                    frames += shirt.read(1 / self.rate) is not None
+            assert shirt._junk >= 0.99 * count  # few begin as a frame does by chance
+        return frames
+
+
 class Phones(Subject):
+    kind = "phones"
     title, what, rate, far_end = "phones", "6 phones", 60.0, PhonesEnd
     is_counted = False
 
@@ -238,6 +282,7 @@ class Phones(Subject):
 
 
 class Camera(Subject):
+    kind = "camera"
     title, what, rate, far_end = "camera", "19 channels", 30.0, CameraEnd
     is_counted = False
 
@@ -258,6 +303,7 @@ class Camera(Subject):
 
 
 class Lsl(Subject):
+    kind = "lsl"
     title, what, rate, far_end = "LSL", "52 sensors as float32", 1000.0, LslEnd
 
     def shirt(self, _folder):
@@ -274,7 +320,19 @@ class Lsl(Subject):
         return "refused: two streams fit"
 
 
-SUBJECTS = (Simulator(), Udp(), Frames(), Lines(), Trackers(), Phones(), Camera(), Lsl())
+class Board(Subject):
+    kind = "brainflow"
+    title, what, rate, far_end = "BrainFlow", "52 channels, no board", 1000.0, BoardEnd
+
+    def shirt(self, _folder):
+        channels = {"analog_channels": [*range(SENSORS)], "timestamp_channel": SENSORS, "num_rows": SENSORS + 1}
+        brainflow = FakeBrainFlow({"name": "Measured", "sampling_rate": self.rate, **channels})
+        config = BrainFlowConfig(kind="brainflow", data="analog")
+        shirt = BrainFlowShirt(config, MonotonicClock(), lambda: brainflow)
+        return FedShirt(shirt, lambda sample: brainflow.send([np.frombuffer(sample)]))
+
+
+SUBJECTS = (Simulator(), Udp(), Frames(), Lines(), Trackers(), Bluetooth(), Phones(), Camera(), Lsl(), Board())
 
 
 @contextmanager

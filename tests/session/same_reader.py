@@ -27,6 +27,7 @@ def read_here(module: str, question: dict[str, Any]) -> dict[str, Any]:
     except Exception as error:  # the reader would have ended with a traceback
         raise ValueError(DIED) from error
     found: dict[str, Any] = json.loads(json.dumps(answer))
+    assert "problem" not in found  # the reader says with this word why it has no answer
     return found
 
 

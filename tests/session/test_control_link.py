@@ -101,6 +101,22 @@ def test_a_command_without_an_answer_ends_the_process_that_owes_it() -> None:
     assert played(story, {"run": LinkLost("late")})[0].killed
 
 
+def test_the_frames_of_a_slow_shirt_reach_back_as_far_as_asked(monkeypatch: pytest.MonkeyPatch) -> None:
+    """Between two of its frames the loop makes ticks without one."""
+    ticks = np.zeros(500, TICK)
+    ticks["number"] = np.arange(1, 501)
+    ticks["t"] = monotonic() + np.arange(-499, 1) / 50.0
+    ticks["has_frame"] = ticks["number"] % 5 == 0
+    ticks["values"][:, 0] = ticks["number"]
+    monkeypatch.setattr(Process, "newest", lambda _process: ticks[-1])
+    monkeypatch.setattr(Process, "since", lambda _process, number: ticks[number:])
+
+    async def story(control: ControlLink, _opened: list[Process]) -> None:
+        assert control.newest_frames(2, 10.0, 2.0)[:, 0].tolist() == [*range(405, 501, 5)]
+
+    played(story, {})
+
+
 def test_a_refusal_ends_nothing() -> None:
     async def story(control: ControlLink, _opened: list[Process]) -> None:
         with pytest.raises(Conflict, match="not now"):

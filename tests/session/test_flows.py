@@ -164,7 +164,7 @@ def test_a_calibration_step_that_cannot_begin_leaves_another_run_alone(monkeypat
             ended.append(True)
 
     shirt = SimpleNamespace(needed_layout=lambda: None)
-    flow = CalibrationFlow(None, None, shirt, Busy(), print, None, None)  # type: ignore[arg-type]
+    flow = CalibrationFlow(None, None, shirt, Busy(), print, None, None, demonstration=False)  # type: ignore[arg-type]
     step = SimpleNamespace(id="rest", kind="rest", cues=())
 
     async def progress(_session: int) -> Any:

@@ -155,6 +155,8 @@ PROGRAMS = {
     "no end of the last line": "t,A,B\n" + rows_of("{:.2f},{},{:.2f}").rstrip("\n"),
     "pandas, read and written again": ",Unnamed: 0,t,A,B\n" + rows_of("{number},{number},{:.2f},{},{}"),
     "units that nobody knows": "t,A,B\nticks,kOhm/m,foo\n" + rows_of("{:.2f},{},{}"),
+    "lines that sum up below the names": "t,A,B\nmin,500,-4.75\nmax,519,0\n" + PLAIN,
+    "a line of hyphens below the names": "# t A B\n# -------\n" + rows_of("{:.2f} {} {}"),
     "errors of LibreOffice": "t,A,B,c\n" + rows_of("{:.2f},{},{},Err:502"),
 }
 

@@ -10,8 +10,8 @@ import numpy as np
 LONGEST_DELAY = 2.0  # s
 DELAY_STEP = 0.005  # s
 HEADING = "\n## From `make demo` to the goal\n"
-HEAD = """Made by `make sources-tried`; do not edit. A scripted person at the far end of each source does what the pages
-ask for: calibrates by the ordinary steps, and drives the straight corridor, in Chromium on this machine.
+HEAD = """Made by `make sources-tried`; do not edit. A scripted person, whom the emulator of each source measures, does
+what the pages ask for: calibrates by the ordinary steps, and drives the straight corridor, in Chromium on this machine.
 {day}, commit {commit}, {machine}.
 """
 COLUMNS = (
@@ -22,7 +22,7 @@ FOOT = """
 - **Taps** and **seconds**: from the start of `make demo`, installed, until the chair has driven a metre. The task is
   chosen by its address, without a tap. What is typed is no tap.
 - **Age**: of the newest frame, as the live picture has it while the chair may move.
-- **Delay**: by which the calibration's signals follow the far end's movement; of the camera, from the picture to the
+- **Delay**: by which the calibration's signals follow the person's movement; of the camera, from the picture to the
   tick. **Correlation**: of both at this delay.
 - **Processor**: while the chair drives, of one processor: web process, control process, and all of the page's browser,
   which draws in software, three pictures a second.
@@ -88,7 +88,7 @@ def likeness_of(sent: Course, seen: Course) -> Likeness | None:
 
 def table(all_tried: Sequence[Tried]) -> str:
     """Return the table of what was tried."""
-    return "".join((_line(COLUMNS), f"|{'---|' * len(COLUMNS)}\n", *map(row, all_tried)))
+    return "".join((line(COLUMNS), f"|{'---|' * len(COLUMNS)}\n", *map(row, all_tried)))
 
 
 def row(tried: Tried) -> str:
@@ -104,7 +104,7 @@ def row(tried: Tried) -> str:
         *(f"{100 * tried.shares[name]:.0f}" if name in tried.shares else "–" for name in ("web", "control", "browser")),
         "; ".join(filter(None, ["goal" if tried.is_good else f"**{tried.stopped}**", tried.came_to])),
     ]
-    return _line(cells)
+    return line(cells)
 
 
 def section(all_tried: Sequence[Tried], left_out: Sequence[str], day: str, commit: str, machine: str) -> str:
@@ -129,5 +129,6 @@ def _milliseconds(seconds: float) -> str:
     return f"{1000 * seconds:.0f}"
 
 
-def _line(cells: Sequence[str]) -> str:
+def line(cells: Sequence[str]) -> str:
+    """Return a line of a table."""
     return f"| {' | '.join(' '.join(cell.replace('|', '/').split()) for cell in cells)} |\n"

@@ -82,7 +82,7 @@ def try_file(playwright, kind, folder, photographs):
         try:
             story = Story(page, link, tried.name.replace(" ", "-"), photographs)
             brings(story, file)
-            uses(story, {"File": file.name, "Layout": str(layout_file)})
+            uses(story, {"File": file.name, "Layout from a file": str(layout_file)})
             story.wait_until(lambda: good_lamps(story) == len(layout.channels), LAMPS_WITHIN, "the green lamps")
             tried.lamps = good_lamps(story)
             story.photograph("source")

@@ -36,10 +36,8 @@ class Source(NamedTuple):
     lamps: int  # so many at least are good
     fields: Mapping[str, str] = NONE  # what is filled in, by the label; {NAME} stands for a fact of the far end
     places: Mapping[str, str] = NONE  # the sensor of each part of the body, by the label: chosen once they are found
-    joints: tuple[str, ...] = ()  # that are calibrated; empty: all of them
-    bindings: Mapping[str, str] = NONE  # the joint of each control that the standard ones leave out
     phones: int = 0  # how many are paired, before they have places
-    is_short: bool = False  # by the button of a demonstration, in the session that is open: with the fewest taps
+    is_short: bool = False  # by the button of a demonstration and the short calibration: with the fewest taps
     library: str = ""  # of Python, without which it cannot be tried
 
 
@@ -71,7 +69,7 @@ SOURCES = (
         recorded="Worn shirt on a cable, virtual chair",
         far_end=LinesEnd,
         lamps=STRETCH,
-        fields={"Serial line": "{line}", "Format": "lines", "Layout": "{layout}"},
+        fields={"Serial line": "{line}", "Format": "lines", "Layout from a file": "{layout}"},
     ),
     Source(
         name="slimevr",
@@ -106,8 +104,6 @@ SOURCES = (
         recorded="Camera, virtual chair",
         far_end=CameraEnd,
         lamps=4,  # what else is seen of a person depends on the picture
-        joints=("right_shoulder", "left_shoulder", "head", "trunk"),
-        bindings={"Faster": "trunk", "Slower": "head"},
         is_short=True,
         library="skimage",
     ),
@@ -126,6 +122,6 @@ SOURCES = (
         recorded="Worn board (BrainFlow), virtual chair",
         far_end=BoardEnd,
         lamps=STRETCH,
-        fields={"Data": "analog", "Layout": "{layout}"},
+        fields={"Data": "analog", "Layout from a file": "{layout}"},
     ),
 )

@@ -36,7 +36,6 @@ STILL_THERE = 2000  # ms, for a tap on what may have gone by itself
 LEAST_PICTURES, SLOW_PICTURES = 20, 10  # a second that are read: with fewer, the camera is used with fewer frames
 MOVES = ("Push", "Bend", "Move")  # words of a cue during a movement
 PATIENT = "DEMO-2"  # of a demonstration: never calibrated
-STOP_RECORDING = "Stop recording"
 
 
 class Story:
@@ -106,8 +105,7 @@ def try_source(playwright, source, folder, photographs):
             chooses(story, source, facts, ask)
             tried.lamps = good_lamps(story)
             begins_session(story, source)
-            calibrates(story, source.joints)
-            binds(story, source.bindings)
+            calibrates(story, source)
             tried.shares = drives(story, ask, program.pid)
             is_scored(story, f"{source.recorded}.")
             log.assert_quiet()
@@ -266,42 +264,43 @@ def begins_session(story, source):
     story.tap(story.foot.get_by_role("link", name="Calibrate"))
 
 
-def calibrates(story, joints=()):
-    """Record each step of the calibration, skip the movements of other `joints` than these, and use the result."""
+def calibrates(story, source):
+    """Record each step of the calibration, use the result, and go on to driving; a short one does both by itself."""
     story.stage = "calibration"
     page, foot = story.page, story.foot
     result = page.get_by_role("heading", name="What this body can do")
+    over = page.get_by_role("button", name="Start trial") if source.is_short else result
     repeats = {}
     is_photographed, idle = False, 0
     until = monotonic() + CALIBRATED_WITHIN
     story.tap(foot.get_by_role("button", name="Start", exact=True))
-    while not result.is_visible():
+    while not over.is_visible():
         assert monotonic() < until, f"no result after {CALIBRATED_WITHIN} s"
         page.wait_for_timeout(LOOK_EVERY)
         calibration = story.get("/calibration")
         running = calibration["running"]
         name = running["step"] if running else calibration["current"]
         step = next(one for one in calibration["steps"] if one["id"] == name)
-        is_skipped = step["kind"] == "prompt" and bool(joints) and step["joint"] not in joints
-        if running or step["kind"] == "result" or is_skipped:
+        if running or step["kind"] == "result":
             idle = 0
-        if running and is_skipped:
-            story.tap_if_there(foot.get_by_role("button", name=STOP_RECORDING))
-        elif running:
+        if running:
             if not is_photographed and any(word in MOVES for word in page.locator(".cue-word").all_inner_texts()):
                 is_photographed = True
                 story.photograph("calibration")
         elif step["kind"] == "result":
             assert step["status"] != "failed", step["message"]
-        elif is_skipped:
-            story.tap_if_there(foot.get_by_role("button", name="Skip this movement"))
+            poor = [one["message"] for one in calibration["steps"] if one["message"]]
+            assert not (source.is_short and step["status"] == "done" and poor), poor
         elif idle < IDLE:
             idle += LOOK_EVERY
         else:
             idle = 0
             story.tap_if_there(foot.get_by_role("button", name=next_words(step, repeats), exact=True))
+    if source.is_short:
+        return
     story.tap(foot.get_by_role("button", name="Use this calibration"))
     expect(page.get_by_role("heading", name="Which movement does what")).to_be_visible()
+    story.tap(foot.get_by_role("link", name="Drive with these"))
 
 
 def next_words(step, repeats):
@@ -315,25 +314,10 @@ def next_words(step, repeats):
     return "Next"
 
 
-def binds(story, bindings):
-    """Add to each control the movement of a joint."""
-    story.stage = "controls"
-    page = story.page
-    for control, joint in bindings.items():
-        row = page.locator("section.control").filter(has=page.get_by_role("heading", name=re.compile(f"^{control}")))
-        story.tap(row.get_by_role("button", name="Fine-tune"))
-        row.get_by_label("Add a movement…").select_option(f"{joint}:1")
-        story.taps += 1
-        expect(row.locator("h2").first).not_to_contain_text("nothing yet")
-    if bindings:
-        expect(story.foot.locator("span.grow")).to_have_text("saved")
-
-
 def drives(story, ask, program):
     """Drive the straight corridor to its goal; return the shares of a processor meanwhile (`ProcessorTimes`)."""
     story.stage = "drive"
     page = story.page
-    story.tap(story.foot.get_by_role("link", name="Drive with these"))
     go_to(page, f"drive/task/{FLOORPLAN}/{PATH}")
     start = page.get_by_role("button", name="Start trial")
     expect(start).to_be_visible()

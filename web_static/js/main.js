@@ -5,6 +5,7 @@
  */
 import { Api, ApiError, FORBIDDEN, failureWords } from "./api.js";
 import { Live } from "./live/live.js";
+import { giveFocus } from "./focus.js";
 import { concerns } from "./live/news.js";
 import { h, put } from "./widgets/dom.js";
 import { LANGUAGE } from "./language.js";
@@ -269,6 +270,19 @@ export class App extends TypedEvents {
     return this.session.has_profile ? "drive" : "calibrate";
   }
 
+  /** Remove from the page what it shows of a patient who was deleted. @param {Subject} subject */
+  #deleted({ code }) {
+    this.leavePage();
+    this.setSubject(null);
+    put(
+      this.root,
+      h("h1", { tabindex: "-1" }, t("gone-title")),
+      h("p", { class: "lead", role: "alert" }, t("gone-lead", { code })),
+      h("div", {}, h("a", { class: "btn go", href: "#/patients" }, t("rail-patients"))),
+    );
+    giveFocus();
+  }
+
   /** @param {unknown} error */
   #failed(error) {
     console.warn(error);
@@ -344,6 +358,7 @@ export class App extends TypedEvents {
   /** @param {import("./live/news.js").News} news of what changed on the server */
   #changed(news) {
     if (news.what === "sign-in") this.#whoAmI();
+    if (news.what === "deletion" && this.subject && news.patient === this.subject.patient) this.#deleted(this.subject);
     const patient = this.session?.patient?.id;
     const isOfSession =
       concerns(news, { what: ["session", "calibration", "controls", "equipment"] }) ||

@@ -287,9 +287,11 @@ def lamps(
         groups = list(layout.channels_of_joint.values())
         noise = noise_of(frames, len(names))
         is_noisy = noise > NOISY * np.nanmedian(noise) if np.isfinite(noise).any() else noise > 0
+        qualities = channel_quality(frames, groups, sample_rate)
+        excused: dict[str, list[bool]] = {"noisy": (~is_noisy).tolist(), "flat": layout.may_stay_constant}
         conditions = [
-            "good" if quality.condition == "noisy" and not is_noisy[i] else quality.condition
-            for i, quality in enumerate(channel_quality(frames, groups, sample_rate))
+            "good" if condition in excused and excused[condition][i] else condition
+            for i, (condition, _) in enumerate(qualities)
         ]
         conditions = ["estimated" if estimated >> i & 1 else condition for i, condition in enumerate(conditions)]
     return ["unused" if name in unused else condition for name, condition in zip(names, conditions, strict=True)]

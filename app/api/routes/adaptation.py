@@ -146,7 +146,7 @@ def _view(db: Transaction, flow: AdaptationFlow, patient_id: int, group: SourceG
     elif waiting.result.proposal.parameters is None:
         why = waiting.result.proposal.reason
     practice = flow.practice.practice(db, patient_id, parameters.hash, group)
-    labels = {joint.name: joint.label for joint in parameters.profile.layout.joints}
+    labels = parameters.profile.layout.joint_labels
     changed = {
         "version": profile.version,
         "origin": profile.origin,

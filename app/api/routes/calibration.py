@@ -39,6 +39,12 @@ class StepChoice(Document):
     step: Annotated[Line, Field(min_length=1, max_length=80)]
 
 
+class CalibrationBeginning(Document):
+    """Which calibration to begin: the short one or the whole one."""
+
+    short: bool
+
+
 class MapChoice(Document):
     """The map that decodes a joint."""
 
@@ -69,7 +75,8 @@ async def read_calibration(
     """Return the state of the calibration.
 
     All routes of the calibration give this answer. `others`: people known in this shirt, 0 when too few; `earlier`: the
-    patient's calibration in this kind of shirt, null once this session's has a result.
+    patient's calibration in this kind of shirt, null once this session's has a result; `short`: whether it is the short
+    calibration, null where there is none.
     """
     return await _view(calibration_flow, await session_flow.needed_session())
 
@@ -129,12 +136,18 @@ async def go_to_step(
 
 @router.post("/restart")
 async def begin_anew(
-    _person: ClinicianInSession, calibration_flow: CalibrationFlowPart, session_flow: SessionFlowPart
+    _person: ClinicianInSession,
+    calibration_flow: CalibrationFlowPart,
+    session_flow: SessionFlowPart,
+    body: CalibrationBeginning | None = None,
 ) -> CalibrationView:
-    """Begin the calibration anew; earlier recordings no longer count."""
+    """Begin the calibration anew; earlier recordings no longer count.
+
+    Without a body it is as long as before. 409 for a short one in a shirt that has none.
+    """
     async with session_flow.undisturbed():
         session = await session_flow.needed_session()
-        await calibration_flow.restart(session.id)
+        await calibration_flow.restart(session.id, is_short=None if body is None else body.short)
     return await _view(calibration_flow, session)
 
 

@@ -10,6 +10,7 @@ from app.api.deps import (
     Anyone,
     Clinician,
     Db,
+    LivePart,
     PlacesPart,
     ReplaysPart,
     RowId,
@@ -22,6 +23,7 @@ from app.api.page_session import OWN_NAME, ClinicianInSession, any_session
 from app.api.routes.obstacle_view import ObstacleView
 from app.api.sign_in.identity import SignedInPerson
 from app.api.view.view_keeper import open_view
+from app.news import News
 from app.quantities import Count, Document, Line, Name, Note, Title
 from app.session.open_session import SessionFlow
 from app.store.consent import has_consented
@@ -145,7 +147,12 @@ def new_patient(body: NewPatient, person: Clinician, database: Db) -> PatientVie
 @router.delete("/patients/{patient_id}")
 @any_session(OWN_NAME)
 def remove_patient(
-    patient_id: RowId, person: Clinician, database: Db, replays: ReplaysPart, body: Deletion | None = None
+    patient_id: RowId,
+    person: Clinician,
+    database: Db,
+    replays: ReplaysPart,
+    live: LivePart,
+    body: Deletion | None = None,
 ) -> PatientView:
     """Delete a patient: everything of the patient is hidden at once, and erased after 30 days; it can be undone.
 
@@ -159,17 +166,20 @@ def remove_patient(
         write_log(db, person.name, "patient deleted", patient=patient_id, reason_given=bool(reason))
         view = _view(db, patient)
     replays.close_all()  # an open replay may be one of this patient
+    live.notify(News(what="deletion", patient=patient_id))
     return view
 
 
 @router.post("/patients/{patient_id}/restore")
 @any_session(OWN_NAME)
-def undo_removal(patient_id: RowId, person: Clinician, database: Db) -> PatientView:
+def undo_removal(patient_id: RowId, person: Clinician, database: Db, live: LivePart) -> PatientView:
     """Undo the deletion of a patient."""
     with database.transaction() as db:
         patient = restore_patient(db, patient_id)
         write_log(db, person.name, "patient restored", patient=patient_id)
-        return _view(db, patient)
+        view = _view(db, patient)
+    live.notify(News(what="restoration", patient=patient_id))
+    return view
 
 
 def current_session(database: Database, session_flow: SessionFlow, person: SignedInPerson) -> CurrentSession:

@@ -11,6 +11,7 @@ from app.api.sign_in.passwords import SHORTEST
 from app.api.sockets import SIGNED_OUT
 from app.calibration.map_grades import SIGNAL_TO_NOISE_LIMITS, SPREAD_LIMITS
 from app.faults import State
+from app.layout import MAX_CHANNELS, USUAL_JOINTS
 from app.quantities import Document
 from app.scene.cameras import EyeSettings
 from app.scoring.measures import (
@@ -95,6 +96,7 @@ class Numbers(Document):
     password_length: int = SHORTEST  # characters at least
     deleted_days: int = UNDO_FOR.days  # for which a deleted patient can be brought back
     replaced_days: int = KEPT_FOR.days  # for which what an upload replaced can be put back
+    layout_channels: int = MAX_CHANNELS  # of a layout of a shirt, at most
     upload_megabytes: int = MOST_PLAN_BYTES // 1_000_000  # of a file for a floor plan
 
 
@@ -104,6 +106,7 @@ class Reference(Document):
     measures: MeasureCatalogue
     limits: Limits
     numbers: Numbers
+    usual_joints: list[str]  # which have a name in each language
 
 
 @router.get("/reference", dependencies=[ForEveryone])
@@ -136,4 +139,5 @@ def reference_of(app: FastAPI) -> Reference:
         ),
         limits=field_limits(app),
         numbers=Numbers(),
+        usual_joints=list(USUAL_JOINTS),
     )

@@ -83,11 +83,14 @@ def keep_upload(
     return FileView(name=stored, kind=_kind(columns), size=len(data))
 
 
-def harmless_name(name: str) -> str:
-    """Return a file name without folders, leading dots or characters that a shell or a page could misread."""
+def harmless_name(name: str, longest: int = 60) -> str:
+    """Return a file name without folders, leading dots or characters that a shell or a page could misread.
+
+    What stands in front of its ending has at most `longest` letters.
+    """
     last = re.split(r"[/\\]", name)[-1]
     stem, dot, suffix = last.rpartition(".")
-    clean = re.sub(r"[^A-Za-z0-9_-]+", "-", stem or suffix).strip("-")[:60] or "file"
+    clean = re.sub(r"[^A-Za-z0-9_-]+", "-", stem or suffix).strip("-")[:longest] or "file"
     ending = re.sub(r"[^a-z0-9]", "", suffix.lower())[:8]
     return f"{clean}.{ending}" if dot and ending else clean
 

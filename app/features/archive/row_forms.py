@@ -70,10 +70,11 @@ class SureOfRings(Document):
 
 
 class CalibrationUnderWay(Document):
-    """The calibration of a session: its layout."""
+    """The calibration of a session: its layout, and whether it is the short one."""
 
     layout: ShirtLayout
     as_worn: SureOfRings | None = None
+    short: bool = False
 
 
 class MapDifference(Document):

@@ -15,15 +15,14 @@ class FileDraft(NamedTuple):
     """A layout to begin with, and what the signals say of its joints."""
 
     layout: ShirtLayout
-    has_joints: bool  # whether the names of the columns say the joints
-    groups: JointGroups
+    groups: JointGroups | None  # channels that move together; None: the names of the columns say the joints
 
 
 def draft_of_file(file: Path) -> FileDraft:
-    """Return the layout of the channels of a file of signals, in its order, and the channels that move together.
+    """Return the layout of the channels of a file of signals, in its order, and where needed those that move together.
 
     A channel has the name of its column as far as a layout takes it. Its joint is that name without the number or axis
-    at its end, where all names have one and they give at least two joints.
+    at its end, where all names have one and they give at least two joints. Otherwise all are of the joint WHOLE.
 
     Raises
     ------
@@ -49,4 +48,4 @@ def draft_of_file(file: Path) -> FileDraft:
         ),
         joints=tuple(Joint(name=joint, label=joint.replace("_", " ").capitalize()) for joint in dict.fromkeys(joints)),
     )
-    return FileDraft(layout, has_joints, joint_groups(signals.values, signals.sample_rate))
+    return FileDraft(layout, None if has_joints else joint_groups(signals.values, signals.sample_rate))

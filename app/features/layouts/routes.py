@@ -75,11 +75,10 @@ class JointGroupsView(Document):
 
 
 class LayoutDraftView(Document):
-    """A layout to begin with, which is not saved; `has_joints`: the names of the columns say its joints."""
+    """A layout to begin with, which is not saved; no proposal where the names of the columns say its joints."""
 
     layout: ShirtLayout
-    has_joints: bool
-    proposal: JointGroupsView
+    proposal: JointGroupsView | None
 
 
 @router.get("")
@@ -99,7 +98,7 @@ def save_layout(
         row = add_layout(db, body)
         write_log(db, person.name, "layout saved", layout=row.id, name=row.name, version=row.version)
         answer = _view(db, equipment)
-    live.notify(News(what="equipment"))
+    live.notify(News(what="layouts"))
     return answer
 
 
@@ -124,7 +123,7 @@ def draft_layout(
         draft = computing.ask(draft_of_file, path)
     except (ValueError, OSError) as error:
         raise Conflict(without_folders(text_of(error), settings.files)) from error
-    return LayoutDraftView(layout=draft.layout, has_joints=draft.has_joints, proposal=_groups_view(draft.groups))
+    return LayoutDraftView(layout=draft.layout, proposal=None if draft.groups is None else _groups_view(draft.groups))
 
 
 @router.put("/{layout_id}")
@@ -140,7 +139,7 @@ def change_layout(
         row = replace_layout(db, layout_id, body.layout, body.version)
         write_log(db, person.name, "layout saved", layout=row.id, name=row.name, version=row.version)
         answer = _view(db, equipment)
-    live.notify(News(what="equipment"))
+    live.notify(News(what="layouts"))
     return answer
 
 
@@ -151,31 +150,30 @@ def remove_layout(
 ) -> LayoutsView:
     """Delete a layout; refused for that of the shirt in use."""
     with database.transaction(closing=True) as db:
-        row = delete_layout(db, layout_id, _in_use(equipment))
+        row = delete_layout(db, layout_id, _given(equipment))
         write_log(db, person.name, "layout deleted", layout=layout_id, name=row.name)
         answer = _view(db, equipment)
-    live.notify(News(what="equipment"))
+    live.notify(News(what="layouts"))
     return answer
 
 
 def _view(db: Transaction, equipment: Equipment) -> LayoutsView:
-    in_use = _in_use(equipment)
+    given = _given(equipment)
+    has = equipment.layout or given  # without a shirt: what the one has that could not be opened
     return LayoutsView(
-        own=[_own_view(row, in_use) for row in layouts_of(db)],
-        bundled=[BundledLayoutView(use=_use(layout, in_use), layout=layout) for layout in bundled_layouts()],
+        own=[_own_view(row, given) for row in layouts_of(db)],
+        bundled=[BundledLayoutView(use=_use(layout, has), layout=layout) for layout in bundled_layouts()],
     )
 
 
-def _own_view(row: ClinicLayout, in_use: ShirtLayout | None) -> ClinicLayoutView:
+def _own_view(row: ClinicLayout, given: ShirtLayout | None) -> ClinicLayoutView:
     layout = ShirtLayout.model_validate(row.document)
-    use = _use(layout, in_use)
+    use = _use(layout, given)
     return ClinicLayoutView(id=row.id, version=row.version, saved=row.saved.isoformat(), use=use, layout=layout)
 
 
-def _in_use(equipment: Equipment) -> ShirtLayout | None:
-    """Return the layout of the shirt in use, also of one that could not be opened; None where none was given."""
-    if equipment.layout is not None:
-        return equipment.layout
+def _given(equipment: Equipment) -> ShirtLayout | None:
+    """Return the layout that the shirt in use was given; None where it was given none, and has one of its own."""
     document = (equipment.shirt or {}).get("layout")
     return None if document is None else ShirtLayout.model_validate(document)
 

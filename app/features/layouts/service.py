@@ -36,7 +36,7 @@ def find_layout(db: Session, layout_id: int) -> ClinicLayout:
 
 def add_layout(db: Session, layout: ShirtLayout) -> ClinicLayout:
     """Save a new layout; Conflict when its name is taken, or there are too many."""
-    if len(layouts_of(db)) >= MOST_LAYOUTS:
+    if db.scalars(select(func.count(ClinicLayout.id))).one() >= MOST_LAYOUTS:
         raise Conflict(Text("layouts-most", count=MOST_LAYOUTS))
     _require_free_name(db, layout.name, None)
     row = ClinicLayout(clinic_id=own_clinic_id(db), version=0)
@@ -55,10 +55,10 @@ def replace_layout(db: Session, layout_id: int, layout: ShirtLayout, version: in
     return row
 
 
-def delete_layout(db: Session, layout_id: int, in_use: ShirtLayout | None) -> ClinicLayout:
-    """Delete a layout, and return its row; Conflict when it is the one that the shirt in use has."""
+def delete_layout(db: Session, layout_id: int, given: ShirtLayout | None) -> ClinicLayout:
+    """Delete a layout, and return its row; Conflict when it is the one that the shirt in use was given."""
     row = find_layout(db, layout_id)
-    if in_use is not None and in_use.name == row.name:
+    if given is not None and given.name == row.name:
         raise Conflict(Text("layouts-in-use", name=row.name))
     db.delete(row)
     db.flush()
@@ -73,6 +73,8 @@ def _save(db: Session, row: ClinicLayout, layout: ShirtLayout) -> None:
 
 def _require_free_name(db: Session, name: str, own_id: int | None) -> None:
     """Refuse a name that another layout has; names do not differ by case."""
-    taken = {row.name.casefold() for row in layouts_of(db) if row.id != own_id}
-    if name.casefold() in taken | {layout.name.casefold() for layout in bundled_layouts()}:
+    rows = db.execute(select(ClinicLayout.id, ClinicLayout.name)).all()
+    own = (other for layout_id, other in rows if layout_id != own_id)
+    bundled = (layout.name for layout in bundled_layouts())
+    if name.casefold() in {other.casefold() for other in (*own, *bundled)}:
         raise Conflict(Text("layouts-name-taken", name=name))

@@ -178,16 +178,16 @@ class BoardReader(threading.Thread):
         return True
 
     def _reconnect(self) -> None:
-        """Release the board, and try to open it again once."""
+        """Release the board, and try to open it again until it is open or nobody wants it any more."""
         self._release()
-        if self._ended.wait(REOPEN_AFTER):
-            return
-        try:
-            self.connect()
-        except Exception as error:  # whatever BrainFlow raises, it is tried again
-            self.trouble = library_message(error)
-        else:
-            self.trouble = ""
+        while not self._ended.wait(REOPEN_AFTER):
+            try:
+                self.connect()
+            except Exception as error:  # whatever BrainFlow raises, it is tried again
+                self.trouble = library_message(error)
+            else:
+                self.trouble = ""
+                return
 
     def _release(self) -> None:
         with suppress(Exception):  # a board that is gone cannot be released
@@ -213,6 +213,7 @@ class BrainFlowShirt:
     def _begin(self, channels: BoardChannels) -> None:
         """Forget everything that was received, and expect these channels."""
         self._channels = channels
+        self._board_rows = list(channels.rows.values())  # of the samples
         self._samples = StreamSamples(len(channels.rows), channels.rate, is_regular=True)
         self._rows = LedRows([self._samples], 0)
         self._board_clock = PageClock()
@@ -351,7 +352,7 @@ class BrainFlowShirt:
 
     def _take_in(self) -> None:
         """Make samples of what the reader has taken over."""
-        reader, rows = self._reader, list(self._channels.rows.values())
+        reader = self._reader
         while reader is not None and reader.chunks:
             t, chunk = reader.chunks.popleft()
             self._received += chunk.shape[1]
@@ -360,7 +361,7 @@ class BrainFlowShirt:
             gaps = np.diff(stamps)
             gaps[~((gaps >= 0.0) & (gaps <= LONGEST_LAG))] = 1.0 / self._channels.rate  # a step of the time; also NaN
             times = t - self._age_of(float(stamps[-1]), t) - np.append(np.cumsum(gaps[::-1])[::-1], 0.0)
-            for sample_t, values in zip(times.tolist(), chunk[rows].T.tolist(), strict=True):
+            for sample_t, values in zip(times.tolist(), chunk[self._board_rows].T.tolist(), strict=True):
                 self._samples.add(StreamSample(sample_t, values, t))
 
     def _age_of(self, stamp: float, t: float) -> float:

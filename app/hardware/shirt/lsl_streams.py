@@ -9,6 +9,7 @@ from app.hardware.base import HardwareError
 from app.layout import MAX_CHANNELS, MAX_JOINTS, Channel, Joint, ShirtLayout
 from app.lsl_library import OWN_SOURCE, LslInfo, LslLibrary
 from app.texts import Text
+from app.visible_text import one_line
 
 Criterion = Literal["source_id", "name", "type", "host"]
 Sought = Mapping[Criterion, tuple[str, ...]]
@@ -36,8 +37,11 @@ class StreamFacts(NamedTuple):
     @property
     def text(self) -> Text:
         """The stream in words, for a sentence."""
-        type_, source, host = (_printable(fact) or "none" for fact in (self.type, self.source_id, self.host))
-        return Text("shirtdev-lsl-stream", name=_printable(self.name), type=type_, source=source, host=host)
+        facts = (self.name, self.type, self.source_id, self.host)
+        name, type_, source, host = (one_line(fact, LONGEST_FACT) for fact in facts)
+        return Text(
+            "shirtdev-lsl-stream", name=name, type=type_ or "none", source=source or "none", host=host or "none"
+        )
 
     def is_restart_of(self, earlier: "StreamFacts") -> bool:
         """Return whether this is an earlier stream from the same machine, started again."""
@@ -124,7 +128,7 @@ def layout_of(streams: Sequence[tuple[StreamFacts, Sequence[ChannelFacts]]]) -> 
         Channel(name=name, joint=joint, unit=_unit(channel.unit))
         for name, joint, (_, channel) in zip(different_names(labels), joints, described, strict=True)
     )
-    title = _printable(", ".join(facts.name for facts, _ in streams), 80) or "LSL"
+    title = one_line(", ".join(facts.name for facts, _ in streams), 80) or "LSL"
     return ShirtLayout(
         name=title,
         channels=channels,
@@ -149,7 +153,7 @@ def _the_only(fitting: Sequence[StreamFacts], visible: Sequence[StreamFacts], so
     if len(fitting) == 1:
         return fitting[0]
     listed = [facts.text for facts in (fitting or visible)[:MOST_NAMED]]
-    values = [_printable(value) for values in sought.values() for value in values][:MOST_NAMED]
+    values = [one_line(value, LONGEST_FACT) for values in sought.values() for value in values][:MOST_NAMED]
     if fitting:
         raise HardwareError(Text("shirtdev-lsl-several", count=len(fitting), streams=listed))
     if not visible:
@@ -164,10 +168,5 @@ def _numbers(streams: Sequence[tuple[StreamFacts, Sequence[ChannelFacts]]]) -> I
 
 
 def _unit(text: str) -> str | None:
-    unit = _printable(text, LONGEST_UNIT)
+    unit = one_line(text, LONGEST_UNIT)
     return unit if unit and unit == text.strip() and unit.lower() != "none" else None
-
-
-def _printable(text: str, longest: int = LONGEST_FACT) -> str:
-    """Return the printable characters of a text of the network, cut."""
-    return " ".join("".join(letter if letter.isprintable() else " " for letter in text).split())[:longest].strip()

@@ -1,8 +1,7 @@
 """Playback of a file as frames of a shirt: recorded runs, CSV and Parquet."""
 
 import math
-import re
-from collections.abc import Mapping, Sequence
+from collections.abc import Mapping
 from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import TYPE_CHECKING
@@ -13,9 +12,10 @@ from pydantic import ValidationError
 
 from app.hardware.base import HardwareError
 from app.hardware.body.minimum_jerk import minimum_jerk
-from app.layout import Channel, Joint, ShirtLayout
+from app.layout import ShirtLayout
 from app.sentences import one_sentence
-from app.signals.column_names import bare_name, columns_of_channels
+from app.signals.column_names import columns_of_channels
+from app.signals.joint_names import layout_from_names
 from app.texts import Text, text_of
 
 if TYPE_CHECKING:
@@ -24,7 +24,6 @@ if TYPE_CHECKING:
 BLEND = 0.5  # s over which the end of a looped recording is blended into its beginning
 LONGEST_LOSS = 1 << 20  # frames: a larger step of the counter means that the device was restarted
 FEWEST = 10  # frames of a recording that can be played
-CHANNEL_OF_JOINT = re.compile(r"(?P<joint>[A-Za-z0-9].*)_\d+")
 
 
 @dataclass(frozen=True, slots=True)
@@ -59,30 +58,6 @@ def read_frames(
         return _read_recording(path, layout) if path.is_dir() else _read_file(path, options, layout)
     except ValueError as error:
         raise HardwareError(text_of(error)) from error
-
-
-def layout_from_names(path: Path, names: Sequence[str]) -> ShirtLayout:
-    """Return a layout for channels that are named after their joints, apart from a unit: right_elbow_1 [mV] ...
-
-    Raises
-    ------
-    ValueError
-        When a name does not say its joint.
-    """
-    channels = []
-    for name in names:
-        bare, _ = bare_name(name)
-        match = CHANNEL_OF_JOINT.fullmatch(bare)
-        if match is None:
-            layout = f"{path.stem}.layout.json"
-            raise ValueError(Text("shirtdev-file-no-joint", file=str(path), column=name, layout=layout))
-        channels.append(Channel(name=bare, joint=match["joint"]))
-    joints = tuple(dict.fromkeys(channel.joint for channel in channels))
-    return ShirtLayout(
-        name=path.stem[:80],
-        channels=tuple(channels),
-        joints=tuple(Joint(name=joint, label=joint.replace("_", " ").capitalize()) for joint in joints),
-    )
 
 
 class FramePlayer:
@@ -124,6 +99,8 @@ class FramePlayer:
 def layout_beside(path: Path) -> ShirtLayout | None:
     """Return the layout that lies beside a file of signals; None where there is none.
 
+    People bring it: whatever it says, every value has to change (safety S5).
+
     Raises
     ------
     ValueError
@@ -133,7 +110,7 @@ def layout_beside(path: Path) -> ShirtLayout | None:
 
     places = (path.with_name(f"{path.stem}.layout.json"), path.with_name("layout.json"))
     file = next((place for place in places if place.exists()), None)
-    return read_layout(file) if file is not None and path.is_file() else None
+    return read_layout(file).without_liveness if file is not None and path.is_file() else None
 
 
 def _read_file(path: Path, options: "ReadingOptions | None", layout: ShirtLayout | None) -> FrameFile:

@@ -14,7 +14,7 @@ from pydantic.config import JsonDict
 
 from app.arrivals import Arrivals, ArrivalVerdict
 from app.clock import Clock
-from app.hardware.addresses import Cable
+from app.hardware.addresses import Cable, is_radio
 from app.hardware.base import HardwareError
 from app.hardware.shirt.arrival_watch import GOOD, WAITING, ArrivalWatch, LeftOut, RateMeter
 from app.hardware.shirt.kind import (
@@ -129,7 +129,7 @@ class SerialShirt:
         except (OSError, ValueError) as error:  # a SerialException is an OSError; ValueError: a baud rate
             code = getattr(error, "errno", None)
             why, cause = os.strerror(code) if code else str(error), CAUSES.get(code or 0, "other")
-            device, lines = self._config.device, cables() if cause == "missing" else []
+            device, lines = self._config.device, wired_lines() if cause == "missing" else []
             text = Text("shirtdev-serial-failed", device=device, why=why, cause=cause, lines=lines or "none")
             raise HardwareError(text) from error
 
@@ -284,7 +284,7 @@ class _Reopening(threading.Thread):
                 port = open_line(self._config)
             except Exception:  # whatever the line raises, it is tried again
                 with suppress(Exception):
-                    self.others = cables()
+                    self.others = wired_lines()
                 continue
             with self._lock:
                 if not self._ended.is_set():
@@ -305,11 +305,11 @@ class _Reopening(threading.Thread):
         _close_port(self.take_port())
 
 
-def cables() -> list[str]:
-    """Return the names of the serial lines of this machine, without those of radios."""
+def wired_lines() -> list[str]:
+    """Return the names of the serial lines of this machine, without those that are radio links by their names."""
     from serial.tools.list_ports import comports  # noqa: PLC0415  # as in open_line
 
-    return sorted(port.device for port in comports() if not port.device.startswith("/dev/rfcomm"))
+    return sorted(port.device for port in comports() if not is_radio(port.device))
 
 
 def open_line(config: SerialConfig) -> "Serial":

@@ -5,7 +5,7 @@ import math
 from typing import NamedTuple
 
 from app.calibration.profile import CalibrationProfile
-from app.calibration.script import Step, calibration_script
+from app.calibration.script import Step, calibration_script, has_short_script, short_script
 from app.clock import monotonic
 from app.computing_process import ComputingProcess
 from app.json_values import JsonDocument
@@ -28,6 +28,7 @@ WATCH_EVERY = 0.05  # s
 STANDSTILL_LIMIT = 3.0  # s without progress of the run's time, after which the step fails
 CHECK_LIMIT = 30.0  # s for checking a closed recording and fitting the map, before a caller is told to look later
 RESULT = "result"
+SHORT = "short"  # in the script of a calibration: true for the short one
 
 
 class Outcome(NamedTuple):
@@ -52,8 +53,11 @@ class CalibrationFlow:
         notify: Notify,
         computing: ComputingProcess,
         prior: OthersPrior,
+        *,
+        demonstration: bool,
     ) -> None:
         self._prior = prior
+        self._demonstration = demonstration
         self._fit = CalibrationFit(database, runs, equipment, computing, prior)
         self._database = database
         self._control = control
@@ -188,10 +192,16 @@ class CalibrationFlow:
         await asyncio.to_thread(_write)
         self._notify(News(what="calibration"))
 
-    async def restart(self, session_id: int) -> None:
-        """Begin the calibration anew; the recordings made so far stay on disk but no longer count."""
+    async def restart(self, session_id: int, *, is_short: bool | None = None) -> None:
+        """Begin the calibration anew, as the short or the whole one; None: as before.
+
+        The recordings made so far stay on disk but no longer count. Conflict when the shirt has no short calibration.
+        """
         self._refuse_while_running()
-        await asyncio.to_thread(self._begin, session_id, self._equipment.needed_layout())
+        layout = self._equipment.needed_layout()
+        if is_short and not self._may_be_short(layout):
+            raise Conflict(Text("visit-no-short-calibration"))
+        await asyncio.to_thread(self._begin, session_id, layout, is_short)
         self._notify(News(what="calibration"))
 
     async def _record(self, session_id: int, step: Step, number: int, *, stays: bool) -> None:
@@ -293,11 +303,13 @@ class CalibrationFlow:
             accepted = session.accepted
             status = {step: (row.status, row.words) for step, row in rows.items()}
             new = self._new_layout(session, rows)
-        if new is not None:
-            script, current, result, accepted = _script(new), None, None, False
-            status = dict.fromkeys(_step_ids(new), ("waiting", ""))
+            first = None if new is None else _script(new, is_short=self._is_short(session, new))
+        if first is not None:
+            script, current, result, accepted = first, None, None, False
+            status = dict.fromkeys(_step_ids(first), ("waiting", ""))
         layout = None if script is None else ShirtLayout.model_validate(script["layout"])
-        steps = () if layout is None else calibration_script(layout)
+        steps = () if script is None else _steps(script)
+        is_short = script is not None and bool(script.get(SHORT))
         return Progress(
             layout=layout,
             steps=steps,
@@ -309,6 +321,7 @@ class CalibrationFlow:
             accepted=accepted,
             others=0 if layout is None else self._prior.people(session_id, garment(layout, self._equipment)),
             earlier=None if layout is None or result is not None else self._fit.earlier(session_id, layout),
+            short=is_short if is_short or (layout is not None and self._may_be_short(layout)) else None,
         )
 
     def _new_layout(self, session: PatientSession, rows: dict[str, CalibrationStep]) -> ShirtLayout | None:
@@ -316,18 +329,30 @@ class CalibrationFlow:
         in_use = self._equipment.layout
         if in_use is None or any(row.status != "waiting" for row in rows.values()):
             return None
-        return None if session.script == _script(in_use) else in_use
+        return None if _is_in(session, in_use) else in_use
+
+    def _may_be_short(self, layout: ShirtLayout) -> bool:
+        return self._equipment.is_camera and has_short_script(layout)
+
+    def _is_short(self, session: PatientSession, layout: ShirtLayout) -> bool:
+        """Return which calibration was chosen for this layout; before a choice, a demonstration takes the short one."""
+        if session.script is not None and _is_in(session, layout):
+            return bool(session.script.get(SHORT))
+        return self._demonstration and self._may_be_short(layout)
 
     def _begin_new(self, db: Transaction, session_id: int) -> None:
         """Begin a calibration in the shirt in use unless one is under way."""
         session = db.get_one(PatientSession, session_id)
         layout = self._new_layout(session, calibration_steps(db, session_id))
         if layout is not None:
-            begin_calibration(db, session, _script(layout), _step_ids(layout))
+            script = _script(layout, is_short=self._is_short(session, layout))
+            begin_calibration(db, session, script, _step_ids(script))
 
-    def _begin(self, session_id: int, layout: ShirtLayout) -> None:
+    def _begin(self, session_id: int, layout: ShirtLayout, is_short: bool | None) -> None:
         with self._database.transaction() as db:
-            begin_calibration(db, db.get_one(PatientSession, session_id), _script(layout), _step_ids(layout))
+            session = db.get_one(PatientSession, session_id)
+            script = _script(layout, is_short=self._is_short(session, layout) if is_short is None else is_short)
+            begin_calibration(db, session, script, _step_ids(script))
 
     def _set(
         self,
@@ -345,9 +370,20 @@ class CalibrationFlow:
                 db.get_one(PatientSession, session_id).current_step = current
 
 
-def _script(layout: ShirtLayout) -> JsonDocument:
-    return {"layout": layout.model_dump(mode="json")}
+def _script(layout: ShirtLayout, *, is_short: bool) -> JsonDocument:
+    script: JsonDocument = {"layout": layout.model_dump(mode="json")}
+    return {**script, SHORT: True} if is_short else script
 
 
-def _step_ids(layout: ShirtLayout) -> list[str]:
-    return [step.id for step in calibration_script(layout)] + [RESULT]
+def _is_in(session: PatientSession, layout: ShirtLayout) -> bool:
+    """Return whether the session's calibration began in this layout."""
+    return session.script is not None and session.script["layout"] == layout.model_dump(mode="json")
+
+
+def _steps(script: JsonDocument) -> tuple[Step, ...]:
+    layout = ShirtLayout.model_validate(script["layout"])
+    return short_script(layout) if script.get(SHORT) else calibration_script(layout)
+
+
+def _step_ids(script: JsonDocument) -> list[str]:
+    return [step.id for step in _steps(script)] + [RESULT]

@@ -34,6 +34,7 @@ class Progress:
     accepted: bool
     others: int  # other people who are known in this shirt; 0: too few to drive by
     earlier: EarlierCalibration | None  # one in the same kind of shirt; None once this session has a result
+    short: bool | None  # whether it is the short calibration; None: this shirt has none
 
     def step(self, step_id: str) -> Step:
         """Return a step; NotFound when there is none."""

@@ -14,7 +14,7 @@ CHANNELS: Final = re.compile(r"^\s*CHANNELS\s+(\d+)\s+(.+?)\s*$")
 FRAME_TIME: Final = re.compile(r"^\s*Frame Time:\s*(\S+)\s*$", re.IGNORECASE)
 
 
-def read(file: Path) -> ForeignRecording:
+def read(file: Path, _part: str | None = None) -> ForeignRecording:
     """Return t and a column for each channel of each joint: positions in the file's unit, rotations in degrees.
 
     Raises

@@ -5,16 +5,23 @@ from typing import Any
 
 import numpy as np
 
-from app.signals.foreign.recording import ForeignRecording, SampledStream, even_times, joined, library, unique_names
+from app.signals.foreign.recording import (
+    ForeignRecording,
+    SampledStream,
+    even_times,
+    library,
+    of_streams,
+    unique_names,
+)
 
 AXES = ("x", "y", "z")
 
 
-def read(file: Path) -> ForeignRecording:
-    """Return markers (three columns each) and analogue channels at the faster rate of both."""
+def read(file: Path, part: str | None = None) -> ForeignRecording:
+    """Return markers (three columns each) and analogue channels at the faster rate of both, or one of both."""
     content = library("ezc3d").c3d(str(file))
     streams = [stream for stream in (_points(content), _analogues(content)) if stream is not None]
-    return joined(streams) if streams else ForeignRecording({})
+    return of_streams(file, streams, part)
 
 
 def _points(content: Any) -> SampledStream | None:

@@ -6,11 +6,18 @@ from typing import Any
 
 import numpy as np
 
-from app.signals.foreign.recording import ForeignRecording, SampledStream, even_times, joined, library, unique_names
+from app.signals.foreign.recording import (
+    ForeignRecording,
+    SampledStream,
+    even_times,
+    library,
+    of_streams,
+    unique_names,
+)
 
 
-def read(file: Path) -> ForeignRecording:
-    """Return the signals at the highest of their rates."""
+def read(file: Path, part: str | None = None) -> ForeignRecording:
+    """Return the signals at the highest of their rates, or those of one rate."""
     edfio = library("edfio")
     is_bdf = file.suffix.lower() == ".bdf" and hasattr(edfio, "read_bdf")
     content = (edfio.read_bdf if is_bdf else edfio.read_edf)(file)
@@ -27,4 +34,4 @@ def read(file: Path) -> ForeignRecording:
         )
         for rate, signals in by_rate.items()
     ]
-    return joined(streams) if streams else ForeignRecording({})
+    return of_streams(file, streams, part)

@@ -1,11 +1,13 @@
 """Reads one foreign file in the process of `app.isolated_reader`, and writes what it holds in a form of our own."""
 
+from collections.abc import Sequence
 from importlib import import_module
 from pathlib import Path
 from typing import Final, TypedDict
 
+from app.signals.file_table import FilePart
 from app.signals.foreign.kinds import KINDS
-from app.signals.foreign.recording import ForeignRecording, MissingLibraryError
+from app.signals.foreign.recording import ForeignRecording, ForeignText, MissingLibraryError
 from app.texts import Text, text_of, to_document
 
 PARQUET: Final = "table.parquet"
@@ -14,15 +16,16 @@ FEWEST: Final = 2  # rows of a recording
 
 
 class FileQuestion(TypedDict):
-    """A file, the name of its kind, and the folder that the table is written to."""
+    """A file, the name of its kind, the part that is read alone, and the folder that the table is written to."""
 
     file: str
     kind: str
+    part: str | None
     folder: str
 
 
 def answer(question: FileQuestion) -> dict[str, object]:
-    """Write the table of a file into `question["folder"]`: its name there, and what was left out.
+    """Write the table of a file into `question["folder"]`: its name there, what was left out, the file's parts.
 
     Raises
     ------
@@ -32,7 +35,7 @@ def answer(question: FileQuestion) -> dict[str, object]:
     file, folder = question["file"], Path(question["folder"])
     kind = next(each for each in KINDS if each.name == question["kind"])
     try:
-        read = import_module(kind.module).read(Path(file))
+        read = import_module(kind.module).read(Path(file), question["part"])
     except MissingLibraryError as error:
         raise ValueError(
             Text("signals-library-missing", file=file, kind=kind.name, library=str(error), extra=kind.extra)
@@ -43,13 +46,17 @@ def answer(question: FileQuestion) -> dict[str, object]:
         if isinstance(text_of(error), Text):
             raise
         raise ValueError(Text("signals-foreign-damaged", file=file, kind=kind.name)) from error
-    if isinstance(read, str):
-        (folder / TEXT).write_text(read, encoding="utf-8")
-        return {"table": TEXT, "note": None}
+    if isinstance(read, ForeignText):
+        (folder / TEXT).write_text(read.text, encoding="utf-8")
+        return _answer(TEXT, read.note, read.rate, read.parts)
     if not read.columns or len(next(iter(read.columns.values()))) < FEWEST:
         raise ValueError(Text("signals-foreign-empty", file=file, kind=kind.name))
     _write(folder / PARQUET, read)
-    return {"table": PARQUET, "note": None if read.note is None else to_document(read.note)}
+    return _answer(PARQUET, read.note, read.rate, read.parts)
+
+
+def _answer(table: str, note: Text | None, rate: float | None, parts: Sequence[FilePart]) -> dict[str, object]:
+    return {"table": table, "note": None if note is None else to_document(note), "rate": rate, "parts": [*parts]}
 
 
 def _write(path: Path, recording: ForeignRecording) -> None:

@@ -1,7 +1,7 @@
 """The kinds of files of signals that a library, or a reader of their own, opens: one line for each kind.
 
-A module has `read(file)`, which returns a `ForeignRecording`, or a table in text. Only the reader of foreign files
-(`app/isolated_reader.py`) loads it.
+A module has `read(file, part)`, which returns a `ForeignRecording` or a `ForeignText`, of all parts of the file where
+`part` is None. Only the reader of foreign files (`app/isolated_reader.py`) loads it.
 """
 
 from pathlib import Path

@@ -12,7 +12,7 @@ JSON: Final = "json"
 ROS_2: Final = "cdr"
 
 
-def read(file: Path) -> ForeignRecording:
+def read(file: Path, _part: str | None = None) -> ForeignRecording:
     """Return t, x and y."""
     return trajectory_of(_messages(file))
 

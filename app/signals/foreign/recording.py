@@ -2,13 +2,15 @@
 
 from collections import Counter
 from collections.abc import Iterable, Mapping, Sequence
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from importlib import import_module
+from pathlib import Path
 from typing import Any, Final, NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
 
+from app.signals.file_table import FilePart, listed
 from app.texts import Text
 
 OWN_TIME: Final = "t"
@@ -22,6 +24,17 @@ class ForeignRecording:
 
     columns: dict[str, NDArray[np.float64]]
     units: Mapping[str, str] = field(default_factory=dict)
+    note: Text | None = None
+    rate: float | None = None  # Hz, as the file states it beside its columns
+    parts: tuple[FilePart, ...] = ()  # of the file, of which one can be read alone
+
+
+class ForeignText(NamedTuple):
+    """A table in text that a foreign file holds."""
+
+    text: str
+    rate: float | None = None  # Hz, as the file states it elsewhere
+    parts: tuple[FilePart, ...] = ()
     note: Text | None = None
 
 
@@ -52,11 +65,35 @@ def even_times(count: int, rate: float) -> NDArray[np.float64]:
     return np.arange(count) / rate
 
 
+def of_streams(file: Path, streams: Sequence[SampledStream], part: str | None) -> ForeignRecording:
+    """Return the streams of a file as one table, or the one that is called `part`; the file's parts are its streams.
+
+    Raises
+    ------
+    ValueError
+        One sentence when there is no stream of this name.
+    """
+    names = unique_names(stream.name for stream in streams)
+    chosen = [stream for name, stream in zip(names, streams, strict=True) if part is None or name == part]
+    if not streams:
+        return ForeignRecording({})
+    if not chosen:
+        raise part_missing(file, part or "", names)
+    counts = zip(names, streams, strict=True)
+    parts = tuple(FilePart(name, len(stream.names), len(stream.t)) for name, stream in counts)
+    return replace(joined(chosen), parts=parts if len(parts) > 1 else ())
+
+
+def part_missing(file: Path, part: str, names: Sequence[str]) -> ValueError:
+    """Return the refusal of a part that a file does not have."""
+    return ValueError(Text("signals-part-missing", file=str(file), part=part, names=listed([*names])))
+
+
 def joined(streams: Sequence[SampledStream]) -> ForeignRecording:
     """Return streams as one table at the times of the one with the most samples.
 
     The others have their newest sample there, and NaN where that is older than 3 of their periods. With several
-    streams, the name of each stands before those of its channels.
+    streams, the name of each, if it has one, stands before those of its channels.
     """
     base = max(streams, key=lambda stream: len(stream.t))
     columns: dict[str, NDArray[np.float64]] = {OWN_TIME: base.t}
@@ -64,7 +101,7 @@ def joined(streams: Sequence[SampledStream]) -> ForeignRecording:
     several = len(streams) > 1
     for stream in streams:
         values = stream.values if stream is base else newest_samples(stream, base.t)
-        names = unique_names(f"{stream.name} {name}" if several else name for name in stream.names)
+        names = unique_names(f"{stream.name} {name}".strip() if several else name for name in stream.names)
         for index, name in enumerate(names):
             own = name if name not in columns else f"{name} ({len(columns)})"
             columns[own] = values[:, index]

@@ -11,7 +11,7 @@ DESCRIPTION: Final = "metadata.yaml"  # of a bag of ROS 2, in its folder
 OF_PLACES: Final = ("Odometry", "Pose", "PoseStamped", "PoseWithCovarianceStamped", "PointStamped", "Pose2D")
 
 
-def read(file: Path) -> ForeignRecording:
+def read(file: Path, _part: str | None = None) -> ForeignRecording:
     """Return t, x and y."""
     return trajectory_of(_messages(file))
 

@@ -1,27 +1,25 @@
 """Reads all streams of numbers of an XDF file with pyxdf, which puts them on one clock."""
 
+from dataclasses import replace
 from pathlib import Path
 from typing import Any
 
 import numpy as np
 
 from app.signals.file_table import listed
-from app.signals.foreign.recording import ForeignRecording, SampledStream, joined, library, unique_names
+from app.signals.foreign.recording import ForeignRecording, SampledStream, library, of_streams, unique_names
 from app.texts import Text
 
 FEWEST = 2  # samples of a stream
 
 
-def read(file: Path) -> ForeignRecording:
-    """Return the streams at the times of the one with the most samples; streams of words are left out."""
+def read(file: Path, part: str | None = None) -> ForeignRecording:
+    """Return the streams at the times of the one with the most samples, or one alone; those of words are left out."""
     found, _ = library("pyxdf").load_xdf(str(file), verbose=False)
     streams = [stream for stream in map(_stream, found) if stream is not None]
     left_out = [_first(stream["info"], "name") for stream in found if _stream(stream) is None]
-    if not streams:
-        return ForeignRecording({})
-    recording = joined(streams)
-    note = Text("signals-streams-left-out", names=listed(left_out)) if left_out else None
-    return ForeignRecording(recording.columns, recording.units, note)
+    note = Text("signals-streams-left-out", names=listed(left_out)) if left_out and part is None else None
+    return replace(of_streams(file, streams, part), note=note)
 
 
 def _stream(stream: Any) -> SampledStream | None:

@@ -97,3 +97,14 @@ def test_a_channel_that_its_neighbours_stand_in_for_has_a_lamp_of_its_own():
     shown = lamps(layout, frames, 100.0, ["c5"], estimated=1 << 3 | 1 << 5)
     assert [shown[3], shown[5]] == ["estimated", "unused"]
     assert "estimated" not in shown[:3]
+
+
+def test_a_sensor_at_rest_has_no_lamp_of_a_broken_one_where_its_value_may_stay_constant():
+    layout = make_layout(8)
+    frames = np.random.default_rng(1).normal(size=(100, 8))
+    frames[:, [2, 3]] = 0.5
+    resting = [channel.model_copy(update={"liveness": "arrival"}) for channel in layout.channels[:3]]
+    layout = layout.model_copy(update={"channels": (*resting, *layout.channels[3:])})
+    assert lamps(layout, frames, 100.0, [])[2:4] == ["good", "flat"]
+    frames[:, 2] = np.nan
+    assert lamps(layout, frames, 100.0, [])[2] == "nan"

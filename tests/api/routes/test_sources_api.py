@@ -104,6 +104,22 @@ def test_a_simulated_calibration_drives_no_worn_shirt_and_no_calibration_mixes_b
     assert result["message"].startswith("Some steps were recorded in a shirt that nobody wears")
 
 
+def test_a_calibration_whose_sensors_had_to_tremble_drives_none_that_may_stay_constant(owned: Clinic) -> None:
+    """Safety S5: the page says so, as the control process does; such a calibration is from before `liveness`."""
+    patient = owned.begin_session()["id"]
+    with owned.rows() as rows:
+        rows.consent(patient, "recording")
+    owned.good("PUT", "/equipment/shirt", json=CAMERA)
+    owned.calibrate()
+    assert owned.process.parameters is not None
+    layout = owned.process.layout
+    channels = tuple(channel.model_copy(update={"liveness": "arrival"}) for channel in layout.channels)
+    owned.process.layout = layout.model_copy(update={"channels": channels})
+    owned.good("PUT", "/equipment/shirt", json=CAMERA)
+    assert "calibrated in another shirt" in owned.good("GET", "/controls")["obstacle"]["message"]
+    assert owned.process.parameters is None
+
+
 def test_what_a_camera_saw_is_in_no_curve_and_no_calibration_of_a_worn_shirt(owned: Clinic) -> None:
     patient = owned.begin_session()["id"]
     with owned.rows() as rows:

@@ -1,6 +1,9 @@
 """A reader chooses a language once: it is the browser's, and follows the person to other browsers."""
 
 from api.fake_clinic import Clinic, sentence_of
+from pseudo_language import PSEUDO
+
+from app.texts import LANGUAGES, Text
 
 
 def test_the_choice_is_of_the_browser_and_of_the_person(owned: Clinic) -> None:
@@ -20,5 +23,5 @@ def test_before_the_sign_in_it_is_of_the_browser_alone(owned: Clinic) -> None:
 
 
 def test_a_language_that_is_not_offered_is_refused(owned: Clinic) -> None:
-    answer = owned("PUT", "/auth/language", json={"language": "xx"})
-    assert sentence_of(answer, 422) == "There is no language “xx” here. Choose one of these: en, es and de."
+    answer = owned("PUT", "/auth/language", json={"language": PSEUDO})
+    assert sentence_of(answer, 422) == str(Text("language-not-offered", language=PSEUDO, languages=LANGUAGES))

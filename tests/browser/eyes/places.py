@@ -31,6 +31,7 @@ from browser.eyes.states.course_places import COURSE_PLACES
 from browser.eyes.states.empty_places import EMPTY_PLACES
 from browser.eyes.states.layout_places import own_layout
 from browser.eyes.states.live_places import LIVE_PLACES
+from browser.eyes.states.recording_places import IMPORT_PLACES
 from browser.eyes.states.role_places import ROLE_PLACES
 from browser.eyes.states.session_places import (
     ARCHIVE_PLACES,
@@ -202,6 +203,7 @@ PLACES: dict[str, Open] = {
     "no connection": no_connection,
     **ARCHIVE_PLACES,
     **EMPTY_PLACES,
+    **IMPORT_PLACES,
     **ASKED_PLACES,
     **CALIBRATE_PLACES,
     **LIVE_PLACES,

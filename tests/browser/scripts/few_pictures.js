@@ -3,6 +3,7 @@
   if (window !== top) Object.defineProperty(window, "devicePixelRatio", { get: () => 0.5 });
   const pause = 320;  // ms
   const next = window.requestAnimationFrame.bind(window), cancel = window.cancelAnimationFrame.bind(window);
+  window.everyPicture = next;  // for a test that waits until the browser has drawn
   const pending = new Map();
   let last = 0, count = 0;
   window.requestAnimationFrame = (draw) => {

@@ -34,6 +34,6 @@ def test_a_program_that_runs_makes_the_backup_of_the_night(settings: Settings, n
             with database.transaction() as db:
                 return last_in_folder(db, good=True)
 
-        until(made)
+        until(made, patience=300.0)  # the process of the backup has the lowest priority
     (backup,) = night.glob("*.backup")
     read_backup(backup, None)

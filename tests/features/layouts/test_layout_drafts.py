@@ -38,7 +38,8 @@ def test_names_are_those_of_the_columns_as_far_as_a_layout_takes_them(signals: P
     draft = draft_of_file(signals)
     assert draft.layout.name == "walk_3"
     assert draft.layout.channel_names == ["Strain_A", "Strain_A_2", "groe", "channel_4"]
-    assert (draft.layout.joint_names, draft.has_joints) == (["body"], False)
+    assert draft.layout.joint_names == ["body"]
+    assert draft.groups is not None
     assert draft.groups.groups == ((0, 1), (2, 3))
 
 
@@ -56,7 +57,7 @@ def test_joints_are_those_that_the_names_say(signals: Path, names: list[str], jo
     write(signals, names, [0, 0, 1, 1])
     draft = draft_of_file(signals)
     assert draft.layout.joint_names == (joints or ["body"])
-    assert draft.has_joints == (joints is not None)
+    assert (draft.groups is None) == (joints is not None)
 
 
 def test_a_file_that_cannot_be_read_is_one_sentence(signals: Path) -> None:

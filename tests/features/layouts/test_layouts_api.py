@@ -5,7 +5,7 @@ from typing import Any
 
 import numpy as np
 import pytest
-from api.fake_clinic import Clinic, sentence_of
+from api.fake_clinic import Clinic, is_news, next_message, sentence_of
 from api.fake_process import LAYOUT
 from features.layouts.test_joint_groups import RATE, channels
 from hardware.shirt.shirts import small_layout
@@ -49,6 +49,13 @@ def test_a_layout_is_saved_changed_and_deleted_and_the_log_says_so(signed_in: Cl
     assert "There is no layout" in signed_in.refused(404, "DELETE", path)
     rows = [(row.what, row.details.get("name"), row.details.get("version")) for row in signed_in.log()]
     assert rows[-3:] == [("layout saved", "small", 1), ("layout saved", "Vest", 2), ("layout deleted", "Vest", None)]
+
+
+def test_the_pages_are_told_of_a_layout_alone_and_it_has_one_moment(signed_in: Clinic) -> None:
+    with signed_in.socket("/live") as socket:
+        entry = saved(signed_in, SMALL)
+        next_message(socket, is_news("layouts"))
+    assert signed_in.good("GET", "/layouts")["own"] == [entry]
 
 
 def test_a_name_is_taken_once_whatever_its_case_also_by_those_of_the_program(signed_in: Clinic) -> None:
@@ -118,6 +125,18 @@ def test_the_layout_of_the_shirt_in_use_cannot_be_deleted(signed_in: Clinic) -> 
     signed_in.good("DELETE", f"/layouts/{entry['id']}")
 
 
+def test_a_layout_made_of_a_shirt_that_has_its_own_is_not_in_use_and_can_be_deleted(signed_in: Clinic) -> None:
+    own = bundled_layout(CAMERA_LAYOUT).model_copy(update={"name": "phones"})
+    channels = tuple(channel.model_copy(update={"liveness": "arrival"}) for channel in own.channels)
+    signed_in.process.layout = own.model_copy(update={"channels": channels})
+    signed_in.good("PUT", "/equipment/shirt", json={"kind": "phones"})
+    body = signed_in.good("GET", "/equipment")["layout"]
+    assert body["channels"][0]["liveness"] == "arrival"
+    (entry,) = signed_in.good("POST", "/layouts", json=body)["own"]
+    assert entry["use"] == "none"
+    assert signed_in.good("DELETE", f"/layouts/{entry['id']}")["own"] == []
+
+
 def test_a_calibration_keeps_its_layout_whatever_is_saved_or_used(calibrated: Clinic) -> None:
     before = calibrated.process.parameters
     assert before is not None
@@ -173,8 +192,11 @@ def test_a_file_of_signals_has_a_draft(signed_in: Clinic, settings: Settings) ->
     file.write_text("\n".join(["t,a,b,c,d", *rows]) + "\n")
     draft = signed_in.good("POST", "/layouts/draft", json={"file": "walk.csv"})
     assert [channel["name"] for channel in draft["layout"]["channels"]] == ["a", "b", "c", "d"]
-    assert not draft["has_joints"]
     assert draft["proposal"]["groups"] == [[0, 1], [2, 3]]
+    file.write_text("\n".join(["t,hand.x,hand.y,head.x,head.y", *rows]) + "\n")
+    named_by_columns = signed_in.good("POST", "/layouts/draft", json={"file": "walk.csv"})
+    assert [joint["name"] for joint in named_by_columns["layout"]["joints"]] == ["hand", "head"]
+    assert named_by_columns["proposal"] is None
     file.write_text("t,a\n0,x\n")
     assert signed_in.refused(409, "POST", "/layouts/draft", json={"file": "walk.csv"}).startswith("Walk.csv")
     assert "Add a file" in signed_in.refused(404, "POST", "/layouts/draft", json={"file": "../clinic.sqlite"})

@@ -30,7 +30,7 @@ from app.hardware.shirt.serial_line import SerialConfig, SerialShirt
 from app.hardware.shirt.simulator import SimulatedShirt, SimulatorConfig
 from app.hardware.shirt.udp import UdpConfig, UdpShirt
 from app.layout import Channel, Joint, ShirtLayout
-from app.texts import reader_language
+from app.texts import LANGUAGES, reader_language
 
 RATE = 100.0
 SILENCE = PATIENCE + 0.01  # s without a frame, after which a shirt has a verdict
@@ -56,7 +56,7 @@ def write_signals(file, count=200, channels=3, rate=RATE):
 def said(shirt):
     """Return a shirt's verdict, and what it says, which every language can say."""
     arrivals = shirt.arrivals()
-    for language in ("de", "es"):
+    for language in LANGUAGES:
         with reader_language(language):
             assert "{" not in str(arrivals.message)
     return arrivals.verdict, str(arrivals.message)
@@ -170,11 +170,11 @@ class SlimeVrCase:
 
     rate = RATE
 
-    def __init__(self, _tmp_path):
+    def __init__(self, _tmp_path, **parts):
         self.clock = FakeClock(50.0)
         self.tracker = SlimeTracker(rate=RATE)
         config = SlimeVrConfig(
-            kind="slimevr", host="127.0.0.1", port=0, sample_rate=RATE, right_forearm=self.tracker.mac
+            kind="slimevr", host="127.0.0.1", port=0, sample_rate=RATE, right_forearm=self.tracker.mac, **parts
         )
         self.shirt = SlimeVrShirt(config, self.clock)
         self.device = socket.socket(socket.AF_INET, socket.SOCK_DGRAM)

@@ -147,7 +147,7 @@ def test_frames_that_are_late_are_no_silence(opened, tmp_path, monkeypatch):
     assert not comes(1, 0.7)
     verdict, message = said(source.shirt)
     assert verdict == "late"
-    assert message.startswith("Frames arrive, but none counts (its frames arrive 0.7 s late")
+    assert message.startswith("Frames arrive, but none is used (its frames arrive 0.7 s late")
 
 
 def test_frames_that_were_used_before_are_no_silence(opened):
@@ -238,7 +238,10 @@ def test_a_pulled_cable_names_the_lines_that_are_there(opened):
     ("there", "words"),
     [
         ([], r"put its cable in$"),
-        (["/dev/rfcomm0", "/dev/ttyUSB1"], r"or choose the name that the line has now: /dev/ttyUSB1$"),
+        (
+            ["/dev/rfcomm0", "/dev/cu.Bluetooth-Incoming-Port", "/dev/ttyUSB1"],
+            r"or choose the name that the line has now: /dev/ttyUSB1$",
+        ),
     ],
 )
 def test_a_line_that_is_not_there_names_those_that_are(monkeypatch, there, words):

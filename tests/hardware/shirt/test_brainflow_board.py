@@ -115,6 +115,21 @@ def test_a_board_that_is_lost_is_silent_and_comes_back(source, monkeypatch):
     assert source.shirt.lost == frame.seq - 1
 
 
+def test_the_reason_of_a_lost_board_stays_until_it_is_back(source, monkeypatch):
+    monkeypatch.setattr(brainflow_board, "REOPEN_AFTER", 0.01)
+    source.let_come(1)
+    assert source.shirt.read(LONG_ENOUGH).seq == 0
+    reader, calls = source.shirt._reader, source.brainflow.calls
+    source.brainflow.is_gone = True
+    end = monotonic() + LONG_ENOUGH
+    while reader.trouble != "BOARD_NOT_READY_ERROR:7" and monotonic() < end:
+        """Wait until the board was sought in vain."""
+    troubles, tries = set(), calls.count(("prepare_session", "BrainFlow"))
+    while calls.count(("prepare_session", "BrainFlow")) < tries + 5 and monotonic() < end:
+        troubles.add(reader.trouble)
+    assert troubles == {"BOARD_NOT_READY_ERROR:7"}
+
+
 def test_a_board_that_only_falls_silent_is_opened_anew(source, monkeypatch):
     monkeypatch.setattr(brainflow_board, "REOPEN_AFTER", 0.01)
     monkeypatch.setattr(brainflow_board, "SILENT", 0.02)

@@ -119,6 +119,15 @@ def test_a_broken_layout_beside_the_file_is_one_sentence(tmp_path):
         open_replay(file, FakeClock())
 
 
+def test_a_layout_beside_the_file_cannot_say_that_values_may_stay_constant(tmp_path):
+    """Safety S5: only a driver can, which watches over its sensors."""
+    file, layout = write_signals(tmp_path / "signals.csv"), small_layout().model_dump(mode="json")
+    for channel in layout["channels"]:
+        channel["liveness"] = "arrival"
+    (tmp_path / "layout.json").write_text(json.dumps(layout))
+    assert read_frames(file).layout == small_layout()
+
+
 def test_a_player_hands_out_what_was_read(tmp_path):
     played = read_frames(write_signals(tmp_path / "signals.csv", count=40))
     player = FramePlayer(played, loop=False)

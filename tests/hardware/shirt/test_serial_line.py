@@ -15,11 +15,11 @@ from hardware.shirt.wired_board import WiredBoard, stream
 from app.clock import MonotonicClock
 from app.hardware.base import HardwareError
 from app.hardware.registry import make_shirt, parse_shirt
-from app.hardware.shirt import serial_line
+from app.hardware.shirt import kind, serial_line
 from app.hardware.shirt.kind import NO_CABLE
 from app.pipeline.loop import ControlLoop
 from app.pipeline.opening import reason
-from app.pipeline.setup import Setup
+from app.pipeline.setup import NO_SHIRT, Setup
 
 WAIT = 5.0  # s
 MOST_CUTS = 30
@@ -231,6 +231,23 @@ def test_a_line_that_opens_after_the_shirt_was_closed_is_closed_again(source, mo
     may_open.set()
     thread.join(WAIT)
     assert not opened[0].is_open
+
+
+def test_whether_a_line_is_a_cable_is_asked_anew_before_each_arming(monkeypatch):
+    """Safety S29: what is put in again may be another device."""
+    board, lines = WiredBoard(), set()
+    monkeypatch.setattr(kind, "is_cable", lambda line: line in lines)
+    setup = Setup(FakeClock())
+    assert setup.mistrust == NO_SHIRT
+    config = {"kind": "serial", "device": board.device, "layout": small_layout().model_dump(mode="json")}
+    change = setup.change_shirt(parse_shirt(config))
+    change.use(change.open())
+    assert setup.mistrust == NO_CABLE
+    lines.add(board.device)
+    assert setup.mistrust is None
+    setup.release_failed_shirt(OSError("gone"))
+    assert setup.mistrust == NO_SHIRT
+    board.pull()
 
 
 def test_the_loop_goes_on_without_the_cable_and_keeps_the_shirt(ring, plugs_anywhere):

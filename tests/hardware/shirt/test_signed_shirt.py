@@ -189,7 +189,7 @@ def test_genuine_frames_that_are_kept_back_are_none(begun):
     begun.clock.time += 2.0
     assert not begun.takes(1, 5, kept=2.0)
     assert str(begun.shirt.description()).startswith("No frames from 127.0.0.1:")
-    assert "(its frames arrive 2.0 s late, and a late one counts as none: bring" in str(begun.shirt.description())
+    assert "(its frames arrive 2.0 s late, and a late one is not used: bring" in str(begun.shirt.description())
     assert begun.takes(1, 6, kept=0.05)
     assert not begun.takes(1, 4)
     assert begun.shirt.lost == 0

@@ -25,8 +25,8 @@ def take_frames(library, port):
             if address not in sensors:
                 sensors[address] = library.add_sensor(address)
             sensor = sensors[address]
-            if sensor.is_connected:
-                with suppress(AttributeError, RuntimeError):  # not yet asked to send; its connection has just ended
+            if sensor.is_asked:
+                with suppress(RuntimeError):  # its connection has just ended
                     sensor.send(datagram[ADDRESS:])
 
 

@@ -8,9 +8,10 @@ const said = (verdict, camera = "") =>
   arrivalWords({ verdict, message: "What to do.", accepted: 0, left_out: 0 }, camera);
 assert.equal(arrivalWords(null, ""), null);
 assert.equal(said("senders"), null); // the sender's own card says it, with its button
-assert.deepEqual(said("arrives"), { state: "good", words: "What to do." });
+assert.equal(said("arrives"), null);
 assert.deepEqual(said("waiting"), { state: "waiting", words: "What to do." });
-assert.deepEqual(said("rate"), { state: "wrong", words: "What to do." });
+for (const verdict of ["rate", "partial", "moving", "nobody"])
+  assert.deepEqual(said(verdict), { state: "wrong", words: "What to do." });
 for (const verdict of ["nothing", "foreign", "refused", "late", "unplaced", "unopened", "gone", "ended"])
   assert.deepEqual(said(verdict), { state: "silent", words: "What to do." });
 // Only the browser knows that it may not use its camera.

@@ -15,6 +15,7 @@ const {
   withJointNamed,
   withoutPlace,
   withPlace,
+  wrongRing,
 } = await at("layout_document.js");
 const { partAt, placeWords } = await at("place_names.js");
 
@@ -44,6 +45,18 @@ assert.deepEqual(placed.channels[1].position, [1, 0.123]);
 assert.equal(placed.channels[1].side, "back");
 assert.deepEqual(withoutPlace(placed, 1), first);
 assert.equal(withChannel(first, 0, { name: "EMG" }).channels[0].name, "EMG");
+
+// The sensors of a ring are counted 1, 2, 3 ... for people, from 0 in the document, or not at all.
+const ring = (...places) => ({
+  ...first,
+  channels: first.channels.map((channel, i) =>
+    i in places ? { ...channel, ring: "cuff", place: places[i] } : channel,
+  ),
+});
+for (const places of [[], [null], [0], [0, 1, 2], [2, 0, 1], [null, null, null], [undefined, undefined]])
+  assert.equal(wrongRing(ring(...places)), null, String(places));
+for (const places of [[1], [1, 2, 3], [0, 1, 1], [0, null], [0, undefined, 1]])
+  assert.deepEqual(wrongRing(ring(...places)), { ring: "cuff", count: places.length }, String(places));
 
 // A joint is there while a channel has it.
 const elbow = usualJoint("right_elbow");

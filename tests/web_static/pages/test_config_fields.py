@@ -59,7 +59,7 @@ def test_a_new_kind_of_shirt_has_a_form_with_its_words_and_bounds(drawn: Callabl
         "Speed": "1000000",
         "Worn the other way round": True,
         "Bands": "+",
-        "Layout": small_layout().model_dump(mode="json"),
+        "Layout from a file": small_layout().model_dump(mode="json"),
         "Key": "shirt-2.key",
         "File": "walk.csv",
     }
@@ -72,7 +72,7 @@ def test_a_new_kind_of_shirt_has_a_form_with_its_words_and_bounds(drawn: Callabl
     assert shown["Gain (dB)"]["limits"] == {"type": "number", "min": "0.5", "max": "4", "required": ""}
     assert shown["Offset"]["limits"] == {"type": "number", "min": "-5", "max": "5"}
     assert shown["Speed"]["options"] == ["115200 baud", "1000000 baud"]
-    assert shown["Layout"]["hint"].startswith("A JSON file that names the sensors.")
+    assert shown["Layout from a file"]["hint"].startswith("A JSON file that names the sensors.")
     assert shown["Key"]["options"] == ["None", "shirt-1.key", "shirt-2.key"]
     assert [option.split(" ")[0] for option in shown["File"]["options"]] == ["knit.csv", "walk.csv"]
     assert BandConfig.model_validate(page["before"]) == BandConfig(kind="band", file="knit.csv")
@@ -129,6 +129,14 @@ def test_a_layout_that_was_saved_is_chosen_by_its_name(drawn: Callable[..., Any]
     assert replay.config.model_validate(played["after"]).layout == small_layout()
 
 
+def test_of_a_saved_layout_and_one_of_a_file_the_last_is_used(drawn: Callable[..., Any]) -> None:
+    udp, saved = SHIRTS["udp"], {"Saved layout": "small"}
+    of_file = {"Layout from a file": small_layout().model_copy(update={"name": "of a file"}).model_dump(mode="json")}
+    around = {"layouts": [small_layout().model_dump(mode="json")]}
+    for entries, name in ((saved | of_file, "of a file"), (of_file | saved, "small")):
+        assert udp.config.model_validate(drawn(udp, around, **entries)["after"]).layout.name == name
+
+
 def test_two_sensors_of_the_simulated_shirt_can_be_dead(drawn: Callable[..., Any]) -> None:
     simulator = SHIRTS["simulator"]
     layout = standard_layout().model_dump(mode="json")
@@ -145,7 +153,7 @@ def test_a_choice_is_shown_by_its_words_and_sent_by_its_name(drawn: Callable[...
     serial = SHIRTS["serial"]
     page = drawn(serial, {}, **{"Serial line": "/dev/ttyUSB0", "Baud rate": "2000000", "Format": "lines"})
     shown = {field["label"]: field for field in page["shown"]}
-    assert list(shown) == ["Serial line", "Baud rate", "Format", "Frames a second", "Layout"]
+    assert list(shown) == ["Serial line", "Baud rate", "Format", "Frames a second", "Layout from a file"]
     assert shown["Format"]["options"] == ["Frames with a checksum", "Plain lines of numbers"]
     assert shown["Baud rate"]["options"][0] == "115200"
     assert serial.config.model_validate(page["before"]) == serial.config(kind="serial")

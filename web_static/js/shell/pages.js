@@ -23,10 +23,11 @@ export const PAGES = {
   review: { icon: "review", forReviewers: true },
   settings: { icon: "settings", forReviewers: true },
   layouts: { below: "shirt" },
+  import_recording: { below: "shirt" },
   attention: { below: "review" },
   session: {},
   adapt: { ofSession: true },
-  interface_test: { below: "drive" },
+  interface_test: { below: "drive", ofSession: true },
   plans: { below: "settings", withoutProgram: true }, // drawings are kept in this browser
   people: { below: "settings" },
   log: { below: "settings" },

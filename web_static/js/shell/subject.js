@@ -7,7 +7,10 @@ import { Fragment, h } from "../preact.js";
 import { t } from "../texts.js";
 import { placeOf } from "./pages.js";
 
-/** @typedef {{code: string, sessions: number[]}} Subject `sessions`: numbers of those that the page shows; empty: all */
+/**
+ * @typedef {{patient: number, code: string, sessions: number[]}} Subject `patient`: id; `sessions`: numbers of those
+ *   that the page shows; empty: all
+ */
 
 /** @typedef {Pick<App, "subject" | "session">} Named what names the subject */
 
@@ -15,7 +18,7 @@ import { placeOf } from "./pages.js";
 function subjectOf({ subject, session }) {
   if (subject) return subject;
   return session?.patient && session.session
-    ? { code: session.patient.code, sessions: [session.session.number] }
+    ? { patient: session.patient.id, code: session.patient.code, sessions: [session.session.number] }
     : null;
 }
 

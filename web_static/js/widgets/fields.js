@@ -80,34 +80,26 @@ export function Segments({ label, options, chosen, hidden, disabled = [], onChan
  * @template {string} Value
  * @typedef {{value: Value, label: string, hint?: string}} Choice
  */
-/**
- * @template {string} Value
- * @typedef {{words: string, options: Choice<Value>[]}} ChoiceGroup
- */
 
 /**
- * Choices with an explanation each, one below the other; those of one group stand together, under its words.
+ * Choices with an explanation each, one below the other.
  * @template {string} Value
- * @param {{label: string, options: (Choice<Value> | ChoiceGroup<Value>)[], chosen: NoInfer<Value> | null,
+ * @param {{label: string, options: Choice<Value>[], chosen: NoInfer<Value> | null,
  *   onChange: (value: NoInfer<Value>) => void}} choices
  */
 export function Choices({ label, options, chosen, onChange }) {
   const [name] = useState(() => `choices-${++made}`);
-  /** @param {Choice<Value>} choice */
-  const one = ({ value, label: words, hint }) =>
-    h(
-      "label",
-      { class: "choice", key: value },
-      h("input", { type: "radio", name, value, checked: value === chosen, onChange: () => onChange(value) }),
-      h("span", { class: "grow" }, h("b", {}, words), hint && h("span", {}, hint)),
-    );
-  /** @param {ChoiceGroup<Value>} group */
-  const group = ({ words, options: members }) =>
-    h("div", { class: "stack", role: "group", "aria-label": words, key: words }, h("h3", {}, words), members.map(one));
   return h(
     "div",
     { class: "stack", role: "radiogroup", "aria-label": label },
-    options.map((option) => ("options" in option ? group(option) : one(option))),
+    options.map(({ value, label: words, hint }) =>
+      h(
+        "label",
+        { class: "choice", key: value },
+        h("input", { type: "radio", name, value, checked: value === chosen, onChange: () => onChange(value) }),
+        h("span", { class: "grow" }, h("b", {}, words), hint && h("span", {}, hint)),
+      ),
+    ),
   );
 }
 

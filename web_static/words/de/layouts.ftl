@@ -9,8 +9,6 @@ layouts-card-now =
         [one] { $name }, { $count } Sensor
        *[other] { $name }, { $count } Sensoren
     }
-layouts-card-none = Das Shirt bringt es mit.
-layouts-card-go = Layout bearbeiten
 layouts-own = Eigene Layouts
 layouts-none = Noch keine. Legen Sie ein neues an, oder duplizieren Sie eines von unten.
 layouts-bundled = Mitgelieferte Layouts
@@ -27,8 +25,8 @@ layouts-use-changed = In Gebrauch, wie es vor der letzten Änderung war
 layouts-use = Verwenden
 layouts-use-label = Verwenden: „{ $name }“
 layouts-used = Das Shirt hat jetzt das Layout „{ $name }“.
-layouts-use-no-shirt = Es ist kein Shirt in Gebrauch. Wählen Sie eines auf der Seite „Shirt“.
-layouts-use-own = Das Shirt in Gebrauch hat ein eigenes Layout, das bleibt, wie es ist.
+layouts-use-no-shirt = Es wird kein Shirt verwendet. Wählen Sie eines auf der Seite „Shirt“.
+layouts-use-own = Das verwendete Shirt hat ein eigenes Layout, das bleibt, wie es ist.
 layouts-edit = Bearbeiten
 layouts-edit-label = Bearbeiten: „{ $name }“
 layouts-duplicate = Duplizieren
@@ -41,7 +39,7 @@ layouts-deleted = „{ $name }“ wurde gelöscht.
 layouts-gone = Dieses Layout gibt es nicht. Es wurde gelöscht, oder die Adresse ist falsch.
 layouts-new = Neues Layout
 layouts-new-source = Woher die Sensoren kommen
-layouts-from-stream = Das Shirt in Gebrauch
+layouts-from-stream = Das verwendete Shirt
 layouts-from-stream-hint = Seine Sensoren, wie sie jetzt ankommen.
 layouts-from-file = Eine Datei mit Signalen
 layouts-from-file-hint = Ihre Spalten. Gelenke werden danach vorgeschlagen, was sich gemeinsam bewegt.
@@ -105,10 +103,16 @@ layouts-part-left-elbow = linker Ellbogen
 layouts-part-left-forearm = linker Unterarm
 layouts-part-left-wrist = linkes Handgelenk
 layouts-part-left-hand = linke Hand
-layouts-ring = Einer von einem Ring um den Arm
-layouts-ring-hint = Sensoren eines Gelenks, die um den Arm liegen: An ihnen fällt auf, wenn ein Ärmel verdreht angezogen wurde.
+layouts-ring = Einer von einem Ring um Arm oder Bein
+layouts-ring-hint = Sensoren eines Gelenks, die um Arm oder Bein liegen. Sie zeigen, wenn ein Ärmel verdreht angezogen wurde.
 layouts-ring-name = Name des Rings
-layouts-ring-place = Der wievielte, um den Arm gezählt
+layouts-ring-place = Der wievielte, um Arm oder Bein gezählt
+# $ring: its name; $count: how many sensors it has.
+layouts-ring-places =
+    { $count ->
+        [one] Der Sensor des Rings „{ $ring }“ ist der einzige darin: Er hat die Nummer 1 oder keine.
+       *[other] Die Sensoren des Rings „{ $ring }“ werden von 1 bis { $count } gezählt, jede Nummer einmal, oder keiner von ihnen hat eine Nummer.
+    }
 layouts-joints = Gelenke
 layouts-joint-row-label = Welches Gelenk ist „{ $joint }“
 layouts-joint-name-label = Name von „{ $joint }“

@@ -132,6 +132,9 @@ setup-go = Einrichten und anmelden
 nobody-title = Keine Sitzung offen
 nobody-lead = Wählen Sie einen Patienten. Damit beginnt eine Sitzung, und diese Seite zeigt sie.
 nobody-go = Patient wählen
+# What a page shows instead of a patient whom somebody has deleted; $code: of the patient.
+gone-title = Patient gelöscht
+gone-lead = { $code } wurde gelöscht: Von diesem Patienten lässt sich nichts mehr ansehen oder ändern.
 
 ## The choice of the language. Each language has its own name, in all files the same.
 

@@ -9,8 +9,6 @@ layouts-card-now =
         [one] { $name }, { $count } sensor
        *[other] { $name }, { $count } sensors
     }
-layouts-card-none = The shirt brings it along.
-layouts-card-go = Edit the layout
 layouts-own = Your layouts
 layouts-none = None yet: make a new one, or duplicate one of those below.
 layouts-bundled = Layouts that come with the software
@@ -24,8 +22,8 @@ layouts-channels =
 # Marks a layout that the shirt has.
 layouts-use-same = In use
 layouts-use-changed = In use as it was before the last change
-layouts-use = Use it
-layouts-use-label = Use it: “{ $name }”
+layouts-use = Use
+layouts-use-label = Use “{ $name }”
 layouts-used = The shirt now has the layout “{ $name }”.
 layouts-use-no-shirt = No shirt is in use: choose one on the Shirt page.
 layouts-use-own = The shirt in use has a layout of its own, which stays as it is.
@@ -55,7 +53,7 @@ layouts-import-file = File
 layouts-import-wrong = { $file }: this is no layout; choose a JSON file with the sensors of a shirt.
 layouts-name = Name of the layout
 layouts-new-name-hint = Left empty, it gets a name by itself.
-layouts-new-go = Make it
+layouts-new-go = Make the layout
 layouts-whole = Whole body
 # The name of a joint until somebody names it; $number from 1.
 layouts-group = Group { $number }
@@ -86,7 +84,7 @@ layouts-joint-new = New joint
 # $side: Front or Back; $part: of the body.
 layouts-place = { $side }: { $part }
 layouts-place-none = Not on the body yet
-layouts-place-take = Take it off the body
+layouts-place-take = Remove from the body
 layouts-side = Side of the body
 layouts-part-head = head
 layouts-part-chest = chest
@@ -106,9 +104,15 @@ layouts-part-left-forearm = left forearm
 layouts-part-left-wrist = left wrist
 layouts-part-left-hand = left hand
 layouts-ring = One of a ring round a limb
-layouts-ring-hint = Sensors of one joint that lie round the limb: by them a sleeve that was put on turned is noticed.
+layouts-ring-hint = Sensors of one joint that lie round the limb. They show when a sleeve was put on twisted.
 layouts-ring-name = Name of the ring
 layouts-ring-place = Which one, counted round the limb
+# $ring: its name; $count: how many sensors it has.
+layouts-ring-places =
+    { $count ->
+        [one] The sensor of the ring “{ $ring }” is alone in it: it has the number 1, or none.
+       *[other] The sensors of the ring “{ $ring }” are counted 1 to { $count }, each number once, or none of them has a number.
+    }
 layouts-joints = Joints
 layouts-joint-row-label = Which joint is “{ $joint }”
 layouts-joint-name-label = Name of “{ $joint }”

@@ -132,6 +132,9 @@ setup-go = Set up and sign in
 nobody-title = No session is open
 nobody-lead = Choose a patient: that starts a session, and this page shows it.
 nobody-go = Choose a patient
+# What a page shows instead of a patient whom somebody has deleted; $code: of the patient.
+gone-title = Patient deleted
+gone-lead = { $code } was deleted: nothing of this patient can be seen or changed any more.
 
 ## The choice of the language. Each language has its own name, in all files the same.
 

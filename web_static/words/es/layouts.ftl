@@ -9,8 +9,6 @@ layouts-card-now =
         [one] { $name }, { $count } sensor
        *[other] { $name }, { $count } sensores
     }
-layouts-card-none = La trae la camiseta.
-layouts-card-go = Editar la disposición
 layouts-own = Sus disposiciones
 layouts-none = Todavía ninguna: cree una nueva o duplique una de las de abajo.
 layouts-bundled = Disposiciones incluidas en el programa
@@ -105,10 +103,16 @@ layouts-part-left-elbow = codo izquierdo
 layouts-part-left-forearm = antebrazo izquierdo
 layouts-part-left-wrist = muñeca izquierda
 layouts-part-left-hand = mano izquierda
-layouts-ring = Uno de un anillo alrededor del brazo
-layouts-ring-hint = Sensores de una articulación que rodean el brazo: con ellos se nota si una manga se ha puesto girada.
+layouts-ring = Uno de un anillo alrededor del brazo o de la pierna
+layouts-ring-hint = Sensores de una articulación que rodean el brazo o la pierna. Muestran si una manga se ha puesto girada.
 layouts-ring-name = Nombre del anillo
-layouts-ring-place = Cuál de ellos, contando alrededor del brazo
+layouts-ring-place = Cuál de ellos, contando alrededor del brazo o de la pierna
+# $ring: its name; $count: how many sensors it has.
+layouts-ring-places =
+    { $count ->
+        [one] El sensor del anillo “{ $ring }” es el único: tiene el número 1 o ninguno.
+       *[other] Los sensores del anillo “{ $ring }” se cuentan del 1 al { $count }, cada número una sola vez, o ninguno de ellos tiene número.
+    }
 layouts-joints = Articulaciones
 layouts-joint-row-label = Qué articulación es “{ $joint }”
 layouts-joint-name-label = Nombre de “{ $joint }”

@@ -136,6 +136,9 @@ setup-go = Configurar y entrar
 nobody-title = No hay ninguna sesión abierta
 nobody-lead = Elija un paciente: así empieza una sesión, y esta página la muestra.
 nobody-go = Elegir un paciente
+# What a page shows instead of a patient whom somebody has deleted; $code: of the patient.
+gone-title = Paciente eliminado
+gone-lead = Se ha eliminado { $code }: ya no se puede ver ni cambiar nada de este paciente.
 
 ## The choice of the language. Each language has its own name, in all files the same.
 

@@ -32,7 +32,7 @@ from app.messages import ALIVE
 from app.quantities import Hertz
 from app.texts import Text, in_sequence
 
-READY_LIMIT: Final = 6.0  # s within which the system's Bluetooth must begin to look for sensors
+READY_LIMIT: Final = 4.0  # s within which Bluetooth must begin to look; an opening, which ends another shirt, has 8 s
 _ADDRESS: Final = re.compile(r"[0-9A-F]{2}(:[0-9A-F]{2}){5}|[0-9A-F]{8}(-[0-9A-F]{4}){3}-[0-9A-F]{12}")
 """An address, or the UUID that macOS gives in place of it."""
 
@@ -170,15 +170,20 @@ class BluetoothShirt(PlacedSensorsShirt):
     def _receive_until(self, t: float) -> None:
         """Take in what has come until `t` (monotonic s)."""
         super()._receive_until(t)
+        measured: dict[str, tuple[SensorMotion, float]] = {}
         while self._links is not None and self._links.notifications:
-            self._take(self._links.notifications.popleft())
+            self._take(self._links.notifications.popleft(), measured)
+        for address, (motion, received) in measured.items():
+            self._frames.take_orientation(self._parts[address], sensor_orientation(*motion.angles_deg), received)
 
-    def _take(self, notification: SensorNotification) -> None:
+    def _take(self, notification: SensorNotification, measured: dict[str, tuple[SensorMotion, float]]) -> None:
+        """Take in a notification; `measured` gets the newest of its sensor, and when that came (monotonic s)."""
         address, content, t = notification
-        decoder, part = self._decoders[address], self._parts[address]
+        decoder = self._decoders[address]
         if not content:
             decoder.begin_anew()
-            self._frames.forget(part)  # a sensor that was off may have another north
+            measured.pop(address, None)
+            self._frames.forget(self._parts[address])  # a sensor that was off may have another north
             return
         junk = decoder.junk
         found = decoder.feed(content)
@@ -188,7 +193,7 @@ class BluetoothShirt(PlacedSensorsShirt):
             match received:
                 case SensorVoltage(volts):
                     self._volts[address] = volts
-                case SensorMotion(motion, angles_deg):
+                case SensorMotion(motion, _):
                     self._sent[address] += 1
                     self._rates[address].add(self._sent[address], t)
                     if motion == self._newest[address]:
@@ -197,7 +202,7 @@ class BluetoothShirt(PlacedSensorsShirt):
                         continue
                     self._newest[address] = motion
                     self._watch.accept(t)
-                    self._frames.take_orientation(part, sensor_orientation(*angles_deg), t)
+                    measured[address] = received, t
 
     @property
     def _junk(self) -> int:

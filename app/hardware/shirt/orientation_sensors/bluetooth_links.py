@@ -6,6 +6,7 @@ import threading
 from collections import deque
 from collections.abc import Awaitable, Callable, Collection, Mapping
 from contextlib import AbstractAsyncContextManager, suppress
+from functools import partial
 from typing import Any, Final, NamedTuple, Protocol, cast
 
 from app.clock import Clock
@@ -22,6 +23,7 @@ LOOK: Final = 5.0  # s of one look for sensors; less as soon as all that are mis
 LOOK_AGAIN: Final = 1.0  # s between two looks, and between two checks of the connections
 CONNECT_LIMIT: Final = 10.0  # s for which one connection may take
 SILENT: Final = 5.0  # s without a notification after which a connection is made anew
+WRITE_LIMIT: Final = 1.0  # s that the question for a battery may take
 VOLTAGE_EVERY: Final = 60.0  # s between two questions for the batteries
 MOST_WAITING: Final = 8192  # notifications that wait for a loop that is held up: those of ten sensors in eight seconds
 END_LIMIT: Final = 4.0  # s that the end of the connections may take
@@ -145,14 +147,16 @@ class SensorLinks(threading.Thread):
                         return
                 await asyncio.sleep(LOOK_AGAIN)
         finally:
-            for address in list(self._clients):
-                await self._disconnect(address)
+            await self._disconnect(*self._clients)
 
     async def _turn(self) -> None:
         """Check the connections, and look for what is missing."""
-        for address, client in list(self._clients.items()):
-            if not client.is_connected or self._now() - self._heard[address] > SILENT:
-                await self._disconnect(address)
+        lost = [
+            address
+            for address, client in self._clients.items()
+            if not client.is_connected or self._now() - self._heard[address] > SILENT
+        ]
+        await self._disconnect(*lost)
         await self._ask_voltages()
         missing = [address for address in self._sought if address not in self._clients]
         if missing or not self._sought or not self._has_looked:
@@ -205,22 +209,30 @@ class SensorLinks(threading.Thread):
             self.trouble = library_message(error)
             await self._disconnect(address)
 
-    async def _disconnect(self, address: str) -> None:
-        client = self._clients.pop(address)
-        self.connected.discard(address)
-        with suppress(Exception):  # a connection that is lost cannot be ended
-            async with asyncio.timeout(END_LIMIT / 2):
-                await client.disconnect()
+    async def _disconnect(self, *addresses: str) -> None:
+        """End the connections to these sensors, all at once: each may take a while."""
+        self.connected.difference_update(addresses)
+        clients = [self._clients.pop(address) for address in addresses]
+        await asyncio.gather(*(_within(END_LIMIT / 2, client.disconnect) for client in clients))
 
     async def _ask_voltages(self) -> None:
         if self._clients and self._now() - self._asked > VOLTAGE_EVERY:
             self._asked = self._now()
-            for client in list(self._clients.values()):
-                with suppress(Exception):  # a connection that is lost shows at the next turn
-                    await client.write_gatt_char(WRITTEN, ASK_VOLTAGE, response=False)
+            questions = [
+                partial(client.write_gatt_char, WRITTEN, ASK_VOLTAGE, response=False)
+                for client in self._clients.values()
+            ]
+            await asyncio.gather(*(_within(WRITE_LIMIT, question) for question in questions))
 
     def _now(self) -> float:
         return asyncio.get_running_loop().time()
+
+
+async def _within(limit: float, call: Callable[[], Awaitable[object]]) -> None:
+    """Await a call to a sensor for at most `limit` (s), whether it succeeds or not: the next turn shows a loss."""
+    with suppress(Exception):
+        async with asyncio.timeout(limit):
+            await call()
 
 
 def load_bleak() -> BleakLibrary:

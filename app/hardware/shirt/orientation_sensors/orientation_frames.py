@@ -76,11 +76,16 @@ class OrientationFrames:
         self._orientation[i], self._turned_t[i] = orientation, t
         self._first_t[i] = min(self._first_t[i], t)
 
-    def take_sign(self, part: str, t: float) -> None:
-        """Take a sign at `t` (monotonic s) that a sensor works: its orientation has not changed since the last one."""
+    def take_sign(self, part: str, t: float) -> bool:
+        """Take a sign at `t` (monotonic s) that a sensor works: its orientation has not changed since the last one.
+
+        Returns whether the sign counts: after a longer silence than a sample counts for, orientations may be lost.
+        """
         i = self._turned.index(part)
-        if self._turned_t[i] > -math.inf:  # its orientation is known
+        counts = bool(self._turned_t[i] >= self._oldest(t))
+        if counts:
             self._turned_t[i] = t
+        return counts
 
     def take_bend(self, part: str, value: float, t: float) -> None:
         """Take a sample of a strain sensor, in its own unit, which came at `t` (monotonic s)."""
@@ -106,7 +111,7 @@ class OrientationFrames:
 
         To be called once a period: the samples of the last frames show who is still.
         """
-        limit = t - (FRESH_PERIODS + 1e-6) * self._period
+        limit = self._oldest(t)
         orientation = self._orientation.copy()
         orientation[:-1][self._turned_t < limit] = np.nan
         relative = product(inverse(orientation[self._reference]), orientation[:-1])
@@ -121,8 +126,8 @@ class OrientationFrames:
         return values if np.isfinite(values).any() else None
 
     def silent(self, t: float) -> list[str]:
-        """Return the parts whose sensors have sent nothing within `FRESH_PERIODS` before `t` (monotonic s)."""
-        limit = t - FRESH_PERIODS * self._period
+        """Return the parts whose sensors have sent nothing that counts at `t` (monotonic s)."""
+        limit = self._oldest(t)
         turned = zip(self._turned, self._turned_t, strict=True)
         bent = zip(self._bent, self._bent_t, strict=True)
         return [part for part, newest in (*turned, *bent) if newest < limit]
@@ -137,6 +142,10 @@ class OrientationFrames:
     def drifting(self) -> list[str]:
         """The parts whose sensors drift by more than DRIFT_LIMIT."""
         return self._names(self._drift > DRIFT_LIMIT)
+
+    def _oldest(self, t: float) -> float:
+        """Return when (monotonic s) the oldest sample came that counts at `t`; rounding makes none too old."""
+        return t - (FRESH_PERIODS + 1e-6) * self._period
 
     def _names(self, which: NDArray[np.bool_]) -> list[str]:
         return [part for part, is_one in zip(self._turned, which, strict=True) if is_one]

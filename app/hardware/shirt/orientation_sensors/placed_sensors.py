@@ -13,7 +13,7 @@ from app.hardware.shirt.arrival_watch import GOOD, WAITING, ArrivalWatch
 from app.hardware.shirt.kind import FieldTexts, ShirtConfig, ShirtRate
 from app.hardware.shirt.orientation_sensors.body_parts import PARTS, TRUNK, layout_of, part_title
 from app.hardware.shirt.orientation_sensors.orientation_frames import OrientationFrames
-from app.messages import SensorFrame
+from app.messages import ALIVE, SensorFrame
 from app.quantities import Line
 from app.texts import Text, in_sequence
 
@@ -127,6 +127,7 @@ class PlacedSensorsShirt:
         has_signals = any(PARTS[part].joint is not None for part in config.sensors)
         self.layout = layout_of(name, config.sensors if has_signals else [TRUNK], bends)
         self.sample_rate = config.sample_rate
+        self._kind = config.kind
         self._sensors = config.sensors
         self._from_neighbour = config.from_neighbour
         self._bends = bends
@@ -173,14 +174,17 @@ class PlacedSensorsShirt:
         """Return what arrives; `reasons` has sentences on why no signals do.
 
         `silence` is the verdict while nothing comes, not even what is left out. Sensors that send and were not at rest
-        yet give no signals.
+        yet give no signals; they may wait for a silent one that they are measured from.
         """
         now = self._clock.now()
         verdict = self._watch.verdict(now)
         verdict = silence if verdict == "nothing" else verdict
         message = GOOD if verdict == "arrives" else reasons.get(verdict, WAITING)
-        moving = self._moving(self._frames.silent(now))
-        if verdict == "arrives" and moving:
+        silent, moving = self._frames.silent(now - ALIVE), self._moving(self._frames.silent(now))
+        if verdict == "arrives" and silent:
+            parts = [part_title(part) for part in silent]
+            verdict, message = "partial", Text("arrivals-partial", source=self._kind, parts=parts)
+        elif verdict == "arrives" and moving:
             verdict, message = "moving", Text("shirtdev-sensors-moving", parts=[part_title(part) for part in moving])
         return Arrivals(verdict, message, self._watch.accepted, self._watch.left_out)
 

@@ -54,7 +54,10 @@ class TrackerRotation(NamedTuple):
 
 
 class TrackerAcceleration(NamedTuple):
-    """A sensor has measured: it sends its acceleration each time, its orientation only when that has changed."""
+    """A sensor has measured: standard firmware sends its acceleration behind an orientation, some sends it alone, too.
+
+    Source: SlimeVR-Tracker-ESP, issue 267 and pull request 269; issue 546 asks for acceleration alone.
+    """
 
     sensor: int
 

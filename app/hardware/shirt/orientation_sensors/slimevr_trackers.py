@@ -87,7 +87,8 @@ class SlimeTrackers:
             if self._greet(packet.content.mac, address, t):
                 self._notice_life(t)
                 return HANDSHAKE_REPLY
-            self._watch.leave_out(LeftOut(t, "senders"))
+            is_known = packet.content.mac in self._trackers  # otherwise there are too many trackers on nobody
+            self._watch.leave_out(LeftOut(t, "senders" if is_known else "unplaced"))
             return None
         tracker = self._by_address.get(address)
         if tracker is None or not self._is_next(tracker, packet):
@@ -182,14 +183,20 @@ class SlimeTrackers:
             case TrackerRotation(sensor, orientation):
                 part = self._place(tracker, sensor_name(tracker.mac, sensor), t)
                 if part is not None:
+                    self._watch.accept(t)
                     self._frames.take_orientation(part, orientation, t)
             case TrackerAcceleration(sensor):
                 part = self._place(tracker, sensor_name(tracker.mac, sensor), t)
-                if part is not None:
-                    self._frames.take_sign(part, t)
+                if part is None:
+                    return None
+                if self._frames.take_sign(part, t):
+                    self._watch.accept(t)
+                else:
+                    self._notice_life(t)
             case TrackerFlex(sensor, value):
                 part = self._place(tracker, sensor_name(tracker.mac, sensor, is_flex=True), t)
                 if part is not None:
+                    self._watch.accept(t)
                     self._frames.take_bend(part, value, t)
             case TrackerBattery(share):
                 tracker.battery = share
@@ -207,8 +214,6 @@ class SlimeTrackers:
         if part is None:
             tracker.unplaced.add(name)
             self._watch.leave_out(LeftOut(t, "unplaced"))
-        else:
-            self._watch.accept(t)
         return part
 
     def _notice_life(self, t: float) -> None:

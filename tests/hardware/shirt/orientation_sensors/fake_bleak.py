@@ -27,6 +27,7 @@ class FakeSensor:
     def __init__(self, address, name="WT901BLE68"):
         self.address, self.name = address, name
         self.is_on, self.is_connected = True, False
+        self.hangs = False  # whether a question for its battery takes for ever
         self.connections = 0
         self.written = []
         self.volts = None  # what it answers when it is asked; None: nothing
@@ -46,6 +47,11 @@ class FakeSensor:
         is_taken = threading.Event()
         self._loop.call_soon_threadsafe(self._notify, self.motion() if content is None else content, is_taken)
         assert is_taken.wait(ANSWER)
+
+    @property
+    def is_asked(self):
+        """Whether the program is connected and has asked to be notified."""
+        return self.is_connected and self._connected.is_set()
 
     def wait_until_connected(self):
         assert self._connected.wait(ANSWER)
@@ -120,6 +126,8 @@ class FakeClient:
         self._sensor.is_connected = True
 
     async def disconnect(self):
+        if self._bleak.ends is not None:
+            await self._bleak.ends.wait()
         self._sensor.end()
 
     async def start_notify(self, characteristic, callback):
@@ -131,6 +139,8 @@ class FakeClient:
         assert not response
         self._sensor.written.append(data)
         if data == ASK_VOLTAGE:
+            if self._sensor.hangs:
+                await asyncio.Event().wait()
             self._sensor.answer()
 
 
@@ -142,6 +152,7 @@ class FakeBleak:
         self.failure = None  # what every look for sensors raises
         self.refusals = []  # what the next connections raise
         self.looks = 0
+        self.ends = None  # a barrier that as many disconnections as it has places reach at once; None: each ends alone
 
     def BleakScanner(self, detection_callback):  # noqa: N802
         return FakeScanner(self, detection_callback)

@@ -14,13 +14,16 @@ class SlimeTracker:
     Attributes
     ----------
     still : set of int
-        Sensors that lie quite still: the firmware sends their acceleration, and no orientation that has not changed.
+        Sensors that lie quite still: the firmware sends no orientation that has not changed, and no acceleration
+        without an orientation (OPTIMIZE_UPDATES).
     hung : set of int
         Sensors that hang: the tracker lives, and they send nothing.
     """
 
-    def __init__(self, mac="A1:B2:C3:D4:E5:F6", sensors=(0,), flex=(), rate=50.0):
+    def __init__(self, mac="A1:B2:C3:D4:E5:F6", sensors=(0,), flex=(), rate=50.0, sends_acceleration_alone=False):
+        """`sends_acceleration_alone`: firmware that sends the acceleration of a sensor that lies still, too."""
         self.mac = mac
+        self.sends_acceleration_alone = sends_acceleration_alone
         self.orientation = {sensor: np.array((0.0, 0.0, 0.0, 1.0)) for sensor in sensors}
         self.flex = dict.fromkeys(flex, 300.0)
         self.still, self.hung = set(), set()
@@ -82,8 +85,9 @@ class SlimeTracker:
         if t >= self._next_t - 1e-9:
             self._next_t = max(self._next_t + self.period, t)
             for sensor in self.orientation.keys() - self.hung:
-                sent += [] if sensor in self.still else [self.rotation(sensor)]
-                sent.append(self.acceleration(sensor))
+                is_changed = sensor not in self.still
+                sent += [self.rotation(sensor)] if is_changed else []
+                sent += [self.acceleration(sensor)] if is_changed or self.sends_acceleration_alone else []
             sent += [self.flexed(sensor) for sensor in self.flex]
         return sent
 

@@ -1,18 +1,22 @@
 """The shirt of Bluetooth sensors: finding them, connecting them again, and what it says; and its frames."""
 
+import asyncio
 import threading
 
 import numpy as np
 import pytest
 from fake_clock import FakeClock
-from hardware.shirt.orientation_sensors.fake_bleak import ANSWER, FakeBleak, wait_for
+from hardware.shirt.orientation_sensors.fake_bleak import ANSWER, ASK_VOLTAGE, FakeBleak, wait_for
 from hardware.shirt.shirts import RATE, BluetoothCase
 from pydantic import ValidationError
 
 from app.hardware.base import HardwareError, NetworkShirt, SearchingShirt
-from app.hardware.shirt.orientation_sensors import bluetooth_links
-from app.hardware.shirt.orientation_sensors.bluetooth import KIND, BluetoothConfig, BluetoothShirt
+from app.hardware.shirt.orientation_sensors import bluetooth, bluetooth_links
+from app.hardware.shirt.orientation_sensors.bluetooth import KIND, READY_LIMIT, BluetoothConfig, BluetoothShirt
+from app.hardware.shirt.orientation_sensors.bluetooth_links import END_LIMIT, SensorNotification
 from app.hardware.shirt.orientation_sensors.orientation_frames import REST_TIME
+from app.hardware.shirt.orientation_sensors.witmotion import sensor_orientation
+from app.pipeline.opening import OPENING_LIMIT
 from app.texts import LANGUAGES, from_document, reader_language, to_document
 
 FOREARM, TRUNK, OTHER = "A1:B2:C3:D4:E5:F6", "00:00:00:00:00:0A", "00:00:00:00:00:0B"
@@ -139,10 +143,12 @@ def test_a_connection_that_sends_nothing_is_made_anew(source, monkeypatch):
 
 def test_a_connection_that_fails_is_tried_again_and_said(tmp_path):
     made = BluetoothCase(tmp_path)
-    made.bleak.refusals = [OSError("in progress")]
+    made.bleak.refusals = [OSError("in progress")] * 10_000
     made.shirt.open()
+    wait_for(lambda: "(in progress)" in str(made.shirt.description()))
+    made.bleak.refusals = []
     made.sensor.wait_until_connected()
-    assert made.bleak.refusals == []
+    assert "(in progress)" not in str(made.shirt.description())
     made.shirt.close()
 
 
@@ -195,6 +201,57 @@ def test_closing_disconnects_and_opening_connects_again(source):
     assert source.shirt.found == []
     source.shirt.open()
     source.sensor.wait_until_connected()
+
+
+def test_all_sensors_are_disconnected_at_once():
+    """One after the other, hanging connections of ten sensors would outlast the opening of the next shirt."""
+    bleak = FakeBleak()
+    sensors = [bleak.add_sensor(TRUNK), bleak.add_sensor(FOREARM)]
+    shirt = shirt_of(bleak, trunk=TRUNK, right_forearm=FOREARM)
+    shirt.open()
+    links = shirt._links
+    wait_for(lambda: len(links.connected) == 2)
+    bleak.ends = asyncio.Barrier(2)
+    shirt.close()
+    assert not links.is_alive()
+    assert not any(sensor.is_connected for sensor in sensors)
+    assert END_LIMIT + READY_LIMIT <= OPENING_LIMIT
+
+
+def test_a_sensor_that_takes_no_question_for_its_battery_holds_nothing_up(tmp_path, monkeypatch):
+    monkeypatch.setattr(bluetooth_links, "WRITE_LIMIT", 0.01)
+    made = BluetoothCase(tmp_path)
+    made.sensor.hangs = True
+    made.shirt.open()
+    wait_for(lambda: ASK_VOLTAGE in made.sensor.written)
+    made.sensor.switch_off()
+    made.sensor.switch_on()
+    wait_for(lambda: made.sensor.connections > 1)
+    made.shirt.close()
+
+
+def test_after_a_pause_only_the_newest_angles_are_computed_and_those_before_a_new_connection_do_not_count(
+    source, monkeypatch
+):
+    source.let_come(1)
+    assert source.shirt.read(0.0) is not None
+    computed = []
+
+    def compute(*angles_deg):
+        computed.append(angles_deg)
+        return sensor_orientation(*angles_deg)
+
+    monkeypatch.setattr(bluetooth, "sensor_orientation", compute)
+    for _ in range(20):
+        source.sensor.send()
+    source.clock.time += 1 / RATE
+    assert source.shirt.read(0.0) is not None
+    assert len(computed) == 1
+    source.sensor.send()
+    source.shirt._links.notifications.append(SensorNotification(source.address, b"", source.clock.time))
+    source.clock.time += 1 / RATE
+    assert source.shirt.read(0.0) is None
+    assert len(computed) == 1
 
 
 def test_a_machine_without_bluetooth_or_without_bleak_is_one_honest_sentence():

@@ -110,14 +110,27 @@ def test_a_sensor_that_gives_signs_keeps_its_orientation_and_none_that_it_never_
     bent = body.step(right_forearm=BEND)
     kept, body.orientation["right_forearm"] = body.orientation["right_forearm"], None
     for _ in range(50):
-        body.frames.take_sign("right_forearm", body.t)
+        assert body.frames.take_sign("right_forearm", body.t)
         np.testing.assert_allclose(body.step(), bent, atol=1e-5)
     assert np.isnan([body.step()[3] for _ in range(4)]).tolist() == [False] * 2 + [True] * 2
     body.frames.forget("right_forearm")
-    body.frames.take_sign("right_forearm", body.t)
+    assert not body.frames.take_sign("right_forearm", body.t)
     assert np.isnan(body.step()[3:]).all()
     body.orientation["right_forearm"] = kept
     np.testing.assert_allclose(body.hold()[3:], np.zeros(3), atol=1e-5)
+
+
+def test_signs_revive_no_orientation_from_before_a_gap():
+    """What was lost meanwhile may have been a movement."""
+    body = Body(["trunk", "right_forearm"])
+    body.hold(2 * REST_TIME)
+    kept, body.orientation["right_forearm"] = body.orientation["right_forearm"], None
+    body.hold(2.0)
+    for _ in range(50):
+        assert not body.frames.take_sign("right_forearm", body.t)
+        assert np.isnan(body.step()[3:]).all()
+    body.orientation["right_forearm"] = product(exponential(BEND), kept)
+    assert np.linalg.norm(body.step()[3:]) == pytest.approx(np.linalg.norm(BEND), abs=1e-5)
 
 
 def test_without_the_trunk_nothing_that_is_measured_from_it_is_known():

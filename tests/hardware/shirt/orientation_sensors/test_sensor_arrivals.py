@@ -1,11 +1,17 @@
 """What arrives at a shirt of sensors on the body: the verdict on phones, trackers and Bluetooth sensors."""
 
+from fake_clock import FakeClock
 from hardware.shirt.orientation_sensors.fake_bleak import wait_for
 from hardware.shirt.orientation_sensors.phone_page import PhonePage
 from hardware.shirt.orientation_sensors.slime_tracker import SlimeTracker
 from hardware.shirt.shirts import SILENCE, BluetoothCase, PhonesCase, SlimeVrCase, said
 
 from app.hardware.shirt.orientation_sensors import bluetooth_links
+from app.hardware.shirt.orientation_sensors.orientation_frames import REST_TIME
+from app.hardware.shirt.orientation_sensors.phones import PhonesConfig, PhonesShirt
+from app.messages import ALIVE
+
+STRANGER = "00:00:00:00:00:0A"
 
 
 def test_phones_say_why_they_show_nothing(opened):
@@ -35,7 +41,7 @@ def test_trackers_say_why_they_show_nothing(opened):
     verdict, message = said(source.shirt)
     assert verdict == "nothing"
     assert message.startswith(f"Nothing at all arrives at {place}. Only programs on this machine")
-    stranger = SlimeTracker("00:00:00:00:00:0A")
+    stranger = SlimeTracker(STRANGER)
     for datagram, expected, words in (
         (stranger.handshake(), "idle", "A tracker answers, but no movement comes from it."),
         (b"junk", "foreign", "1 packet arrived that is no frame of this shirt. It has 4 bytes"),
@@ -48,6 +54,36 @@ def test_trackers_say_why_they_show_nothing(opened):
         source.shirt.read(0.0)
         verdict, message = said(source.shirt)
         assert (verdict, message.startswith(words)) == (expected, True), message
+
+
+def test_a_part_whose_sensor_sends_nothing_is_named_while_others_send():
+    clock = FakeClock(50.0)
+    shirt = PhonesShirt(PhonesConfig(kind="phones", trunk="1", right_forearm="2"), clock)
+    trunk, forearm = PhonePage(shirt, clock), PhonePage(shirt, clock, number=2)
+    shirt.open()
+
+    def send(seconds, *pages):
+        """Let pages send for some time, and return what the shirt says."""
+        for _ in range(round(seconds * shirt.sample_rate)):
+            clock.time += 1 / shirt.sample_rate
+            for page in pages:
+                page.send()
+            shirt.read(0.0)
+        return said(shirt)
+
+    assert send(0.1, trunk) == ("partial", "Signals arrive, but none from: Right forearm. Switch the sensor there on.")
+    assert send(0.1, trunk, forearm)[0] == "moving"
+    assert send(2 * REST_TIME, trunk, forearm)[0] == "arrives"
+    assert send(ALIVE, trunk)[0] == "arrives", "a held-up network is no silence"
+    assert send(0.1, trunk)[0] == "partial"
+
+
+def test_a_tracker_that_sends_nothing_while_it_lies_still_is_said_to_do_so(opened):
+    source = opened(SlimeVrCase, trunk=STRANGER)
+    source.be_still()
+    verdict, message = said(source.shirt)
+    assert verdict == "partial"
+    assert message.startswith("Signals arrive, but none from: Trunk. Switch the tracker there on. One that sends only")
 
 
 def at_once(monkeypatch):

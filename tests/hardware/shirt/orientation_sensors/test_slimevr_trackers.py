@@ -29,7 +29,8 @@ class Room:
     def __init__(self, places, loss=0.0, jitter=0.0, seed=1):
         flex = [part for name, part in places.items() if name.endswith("/flex")]
         self.frames = OrientationFrames(places.values(), flex, RATE, from_neighbour=False)
-        self.server = SlimeTrackers(places, self.frames, ArrivalWatch())
+        self.watch = ArrivalWatch()
+        self.server = SlimeTrackers(places, self.frames, self.watch)
         self.clock = FakeClock(1000.0)
         self.grid = FrameGrid(self.clock, RATE)
         self.trackers = {}
@@ -114,31 +115,57 @@ def test_the_channels_follow_the_arm():
     np.testing.assert_allclose(frame.values, (0, 0, 0, 0, 0.7, 0), atol=1e-6)
 
 
-def test_a_sensor_that_lies_still_is_no_broken_one_and_one_that_hangs_is_found():
-    """Safety S5: a tracker sends an orientation only when it has changed, and its acceleration while it measures."""
+def three_periods_long(frames):
+    """Return whether the arm is known for three periods at most, and then no more."""
+    is_silent = [known(frame) == [True] * 3 + [False] * 3 for frame in frames]
+    return is_silent == sorted(is_silent) and is_silent.count(False) <= 4  # the one under way, too
+
+
+def test_a_sensor_that_lies_still_counts_as_silent_until_it_moves():
+    """Safety S5: standard firmware sends nothing of it, as of one that hangs."""
     room = two_trackers()
     room.run(2 * REST_TIME)
     arm = room.trackers[HOME]
+    arm.still.add(0)
+    assert three_periods_long(room.run(0.2))
+    room.run(5.0)
+    assert arm.is_connected
+    assert room.frames.silent(room.clock.time) == ["right_forearm"]
+    arm.still.clear()
+    *_, frame = room.run(0.1)
+    assert all(known(frame))
+
+
+def test_a_sensor_that_lies_still_is_no_broken_one_and_one_that_hangs_is_found():
+    """Safety S5: where acceleration comes alone, it shows that the sensor measures."""
+    room = two_trackers()
+    room.run(2 * REST_TIME)
+    arm = room.trackers[HOME]
+    arm.sends_acceleration_alone = True
     arm.orientation[0] = exponential(np.array((0.0, 0.7, 0.0)))
     room.run(0.1)
     arm.still.add(0)
     values = np.array([frame.values for frame in room.run(20.0)])
     np.testing.assert_allclose(values, np.broadcast_to((0, 0, 0, 0, 0.7, 0), values.shape), atol=1e-6)
     arm.hung.add(0)
-    frames = room.run(0.2)
-    hangs = [known(frame) == [True] * 3 + [False] * 3 for frame in frames]
-    assert hangs == sorted(hangs)
-    assert hangs.count(False) <= 4, "three periods, and the one under way"
+    assert three_periods_long(room.run(0.2))
     room.run(20.0)
     assert arm.is_connected
     assert room.frames.silent(room.clock.time) == ["right_forearm"]
     arm.hung.clear()
+    *_, frame = room.run(2.0)
+    assert known(frame) == [True] * 3 + [False] * 3, "nobody knows what it did meanwhile"
+    accepted = room.watch.accepted
+    room.server.receive(arm.acceleration(), HOME, room.clock.time)
+    assert (room.watch.accepted, room.watch.newest.reason) == (accepted, "idle"), "a sign of life, and no signal"
+    arm.still.clear()
     *_, frame = room.run(0.1)
     assert all(known(frame))
 
 
 def test_a_sensor_whose_orientation_was_never_sent_is_unknown_whatever_it_measures():
     room = two_trackers()
+    room.trackers[HOME].sends_acceleration_alone = True
     room.trackers[HOME].still.add(0)
     frames = [frame for frame in room.run(2 * REST_TIME) if frame is not None]
     assert known(frames[-1]) == [True] * 3 + [False] * 3
@@ -309,6 +336,7 @@ def test_a_flood_of_trackers_fills_no_memory_and_keeps_none_of_the_body_out():
         mac = ":".join(f"{byte:02X}" for byte in i.to_bytes(6, "big", signed=False)[::-1])
         answer = room.server.receive(SlimeTracker(mac).handshake(), ("10.1.0.1", i), room.clock.time)
         assert (answer is not None) == (0 < i <= MOST_TRACKERS)
+    assert room.watch.newest.reason == "unplaced", "nobody sends in the name of another"
     room.run(2 * REST_TIME)
     assert all(known(room.run(0.1)[-1]))
     room.run(10.0)

@@ -53,7 +53,8 @@ export async function show(app, root, { signal: left }) {
   };
   app.live.addEventListener(
     "changed",
-    ({ detail }) => concerns(detail, { what: ["trial", "comment", "record", "session"] }) && read(),
+    ({ detail }) =>
+      concerns(detail, { what: ["trial", "comment", "record", "session", "deletion", "restoration"] }) && read(),
     { signal: left },
   );
   left.addEventListener("abort", () => clearTimeout(timer));

@@ -12,9 +12,10 @@ import { jointLabel } from "../../widgets/joint_words.js";
 const ICONS = { done: "tick", failed: "undo" };
 
 /** @param {{store: import("./store.js").CalibrationStore}} bar */
-export function StepBar({ store: { calibration, step: shown, go, restart } }) {
-  const { steps } = calibration.value;
+export function StepBar({ store: { calibration, step: shown, go, restart, chooseLength } }) {
+  const { steps, running, short } = calibration.value;
   const hasBegun = steps.some(({ status }) => status === "done" || status === "failed");
+  const hasChoice = short !== null && !hasBegun && !running;
   return h(
     "div",
     { class: "step-bar" },
@@ -30,6 +31,12 @@ export function StepBar({ store: { calibration, step: shown, go, restart } }) {
       ),
     ),
     hasBegun && h("button", { type: "button", class: "btn bare small", onClick: restart }, t("result-restart")),
+    hasChoice &&
+      h(
+        "button",
+        { type: "button", class: "btn bare small", onClick: () => chooseLength(!short) },
+        t(short ? "calibrate-whole" : "calibrate-short"),
+      ),
   );
 }
 

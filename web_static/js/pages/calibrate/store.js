@@ -50,6 +50,7 @@ export function calibrationStore(app, patient, first, left) {
     return fitted?.accepted || !missing.value.length ? fitted : null;
   });
   let timer = 0; // until the next step begins; 0: it does not begin by itself
+  let startedHere = ""; // the step that this page began last: only that page goes on by itself to driving
   let questions = 0;
   let newest = 0; // the question whose answer is shown
 
@@ -105,10 +106,21 @@ export function calibrationStore(app, patient, first, left) {
     const ended = steps.find((one) => one.id === id);
     const isDone = ended?.status === "done";
     if (ended?.message || isDone) app.toasts.announce(ended.message || t("calibrate-done"));
+    if (leadsOn()) return void driveByShort();
     if (!isDone || ended.message || !isAuto.value || !isMissing(step.value)) return;
     if (id === "free" && (mayDriveNow || mayFitEarlier)) return; // a person chooses: drive now, or go on
     const { id: next } = step.value;
     timer = setTimeout(() => start(next), PAUSE);
+  };
+  /**
+   * Whether a short calibration of a demonstration, which has just ended on this page, is used without another tap:
+   * every movement was recorded, and none has to be repeated.
+   */
+  const leadsOn = () => {
+    const { short, steps } = calibration.value;
+    const isFitted = result.value !== null && !result.value.accepted;
+    const isGood = steps.every(({ status, message }) => status === "done" && message === "");
+    return isFitted && isGood && short && app.me?.demo && isAuto.value && startedHere !== "";
   };
   /** @param {boolean} on */
   const setAuto = (on) => {
@@ -121,7 +133,10 @@ export function calibrationStore(app, patient, first, left) {
   /** @param {string} id of a step */
   const go = (id) => call(() => api.post("/calibration/go", { step: id }));
   /** @param {string} id of a step */
-  const start = (id) => call(() => api.post(`/calibration/steps/${id}/start`));
+  const start = (id) => {
+    startedHere = id;
+    return call(() => api.post(`/calibration/steps/${id}/start`));
+  };
   /** @param {string} id of a step */
   const cancel = (id) => call(() => api.post(`/calibration/steps/${id}/cancel`));
   /** @param {string} id of a step */
@@ -150,6 +165,8 @@ export function calibrationStore(app, patient, first, left) {
     });
   const drive = () => app.toasts.attempt(() => beginNextTask(app, patient));
   const showControls = () => app.go("#/controls");
+  /** Begin with the short calibration, or with the whole one. @param {boolean} short */
+  const chooseLength = (short) => call(() => api.post("/calibration/restart", { short }));
   /** @param {CalibrationView} view */
   const driveUnlessTurned = (view) => {
     const { joints = [] } = /** @type {Calibration} */ (view).result ?? {};
@@ -159,6 +176,16 @@ export function calibrationStore(app, patient, first, left) {
   const driveNow = () => finish(() => api.post("/calibration/drive-now"), driveUnlessTurned);
   const fitEarlier = () => finish(() => api.post("/calibration/fit-earlier"), drive);
   const accept = () => finish(() => api.post("/calibration/accept"), showControls);
+  const driveByShort = () => {
+    startedHere = "";
+    return finish(
+      () => api.post("/calibration/accept"),
+      () => {
+        app.toasts.show(t("calibrate-short-good"));
+        app.go("#/drive");
+      },
+    );
+  };
   const takeSuggestion = () => finish(() => api.post("/controls/suggest"), showControls);
   const followRun = () => {
     if (left.aborted) return;
@@ -176,7 +203,7 @@ export function calibrationStore(app, patient, first, left) {
   readFound();
   const state = { calibration, equipment, found, moment, isAuto, isGoingOn };
   const derived = { step, isRecording, repetition, missing, result };
-  const steps = { go, start, cancel, skip, setAuto, restart };
+  const steps = { go, start, cancel, skip, setAuto, restart, chooseLength };
   const ofResult = { chooseMap, saySitting, accept, takeSuggestion };
   return { app, left, ...state, ...derived, ...steps, ...ofResult, drive, driveNow, fitEarlier };
 }

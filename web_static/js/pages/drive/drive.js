@@ -88,7 +88,8 @@ async function over(app, root, id, signal) {
   const read = await readTrial(app.api, id);
   const next = await app.api.get(`/patients/${read.trial.patient_id}/next-task?source=${read.trial.source.group}`);
   if (signal.aborted) return;
-  app.setSubject({ code: read.trial.patient_code, sessions: [read.trial.session_number] });
+  const { patient_id: patient, patient_code: code, session_number: number } = read.trial;
+  app.setSubject({ patient, code, sessions: [number] });
   /** @param {Place} where @param {boolean} isMain @param {string} words */
   const button = (where, isMain, words) =>
     h("button", { type: "button", class: isMain ? "btn go" : "btn", onClick: () => app.requestTrial(where) }, words);

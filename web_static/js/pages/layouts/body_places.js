@@ -7,9 +7,8 @@
 import { h, useRef } from "../../preact.js";
 import { t } from "../../texts.js";
 import { sensorName } from "../../widgets/joint_words.js";
-import { HEIGHT, LAYOUT_HEIGHT, Outline, WIDTH } from "../shirt/body_outline.js";
+import { HEIGHT, inDrawing, LAYOUT_HEIGHT, Outline, pointIn, SIDES, WIDTH } from "../shirt/body_outline.js";
 import { lampPlaces } from "../shirt/lamp_places.js";
-import { SIDES } from "./layout_document.js";
 import { placeWords } from "./place_names.js";
 
 const DOT = 5; // radius of a mark, in units of the outline
@@ -37,7 +36,7 @@ export function BodyPlaces(places) {
   const inOrder = [...shown.filter(({ index }) => index !== picked), ...shown.filter(({ index }) => index === picked)];
   return h(
     "div",
-    { class: "place-figures" },
+    { class: "bodies place-figures" },
     SIDES.map((side) =>
       h(
         "figure",
@@ -55,36 +54,35 @@ export function BodyPlaces(places) {
  */
 function Figure({ side, places: { picked, moving, onPick, onPlace }, marks }) {
   /** The mark that the pointer has, where it was taken, and how far from its middle. */
-  const held = useRef(/** @type {{index: number, from: Point, offset: Point, isMoving: boolean} | null} */ (null));
-  const wasHeld = useRef(false); // a click follows, which puts no channel there
-  /** @param {PointerEvent | MouseEvent} event @returns {Point} where it is on the outline */
-  const at = ({ clientX, clientY, currentTarget }) => {
-    const picture = /** @type {SVGSVGElement} */ (currentTarget);
-    const { x, y } = new DOMPoint(clientX, clientY).matrixTransform(picture.getScreenCTM()?.inverse());
+  const grip = useRef(/** @type {{index: number, from: Point, offset: Point, isMoving: boolean} | null} */ (null));
+  const ignoresClick = useRef(false); // a click follows, which puts no channel there
+  /** @param {MouseEvent} event @returns {Point} where it is on the outline */
+  const at = (event) => {
+    const { x, y } = pointIn(event);
     return [x / WIDTH, y / LAYOUT_HEIGHT];
   };
   /** @param {PointerEvent} event */
   const grab = (event) => {
     const mark = marks.find(({ index }) => index === indexOf(event));
-    wasHeld.current = mark !== undefined;
+    ignoresClick.current = mark !== undefined;
     if (!mark) return;
     const from = at(event);
-    held.current = { index: mark.index, from, offset: between(mark.position, from), isMoving: false };
+    grip.current = { index: mark.index, from, offset: between(mark.position, from), isMoving: false };
     /** @type {SVGSVGElement} */ (event.currentTarget).setPointerCapture(event.pointerId);
     onPick(mark.index);
   };
   /** @param {PointerEvent} event */
   const drag = (event) => {
-    const { current: mark } = held;
+    const { current: mark } = grip;
     if (!mark) return;
     const now = at(event);
     mark.isMoving ||= Math.hypot(...between(now, mark.from)) > SLOP;
     if (mark.isMoving) onPlace(mark.index, side, [now[0] + mark.offset[0], now[1] + mark.offset[1]]);
   };
-  const release = () => void (held.current = null);
+  const release = () => void (grip.current = null);
   /** @param {MouseEvent} event */
   const tap = (event) => {
-    if (!wasHeld.current && picked >= 0) onPlace(picked, side, at(event));
+    if (!ignoresClick.current && picked >= 0) onPlace(picked, side, at(event));
   };
   /** @param {KeyboardEvent} event @param {Mark} mark */
   const press = (event, { index, position: [x, y] }) => {
@@ -114,7 +112,7 @@ function Figure({ side, places: { picked, moving, onPick, onPlace }, marks }) {
           "data-index": mark.index,
           "data-moving": moving.includes(mark.index) || undefined,
           "data-placed": mark.channel.position !== null || undefined,
-          transform: `translate(${mark.position[0] * WIDTH} ${mark.position[1] * LAYOUT_HEIGHT})`,
+          transform: `translate(${inDrawing(mark.position).join(" ")})`,
           ...(mark.index === picked ? sliderOf(mark, (event) => press(event, mark)) : { "aria-hidden": true }),
         },
         mark.index === picked && h("circle", { class: "place-focus", r: FOCUSED }),

@@ -4,15 +4,15 @@
  * @import { Channel, Side } from "./layout_document.js"
  */
 import { h } from "../../preact.js";
-import { textLimits } from "../../reference.js";
+import { REFERENCE, textLimits } from "../../reference.js";
 import { t } from "../../texts.js";
 import { Field, Segments, Selection } from "../../widgets/fields.js";
 import { jointLabel, sensorName } from "../../widgets/joint_words.js";
+import { SIDES } from "../shirt/body_outline.js";
 import { lampPlaces } from "../shirt/lamp_places.js";
 import {
-  freeJoint,
-  SIDES,
-  USUAL_JOINTS,
+  chosenJoint,
+  NEW_JOINT,
   usualJoint,
   withChannel,
   withJoint,
@@ -22,7 +22,6 @@ import {
 import { placeWords } from "./place_names.js";
 
 const NAME = "[A-Za-z0-9][A-Za-z0-9_.\\-]*"; // what a document takes (app/quantities.py)
-const NEW = "+"; // no joint has this name
 
 /** @param {{store: LayoutStore}} form */
 export function ChannelForm({ store: { draft, picked, discards, change } }) {
@@ -33,11 +32,7 @@ export function ChannelForm({ store: { draft, picked, discards, change } }) {
   /** @param {Partial<Channel>} changes */
   const set = (changes) => change((now) => withChannel(now, index, changes));
   /** @param {string} name */
-  const setJoint = (name) => {
-    const own = { name: freeJoint(layout), label: t("layouts-joint-new") };
-    const joint = layout.joints.find((one) => one.name === name) ?? (name === NEW ? own : usualJoint(name));
-    change((now) => withJoint(now, index, joint));
-  };
+  const setJoint = (name) => change((now) => withJoint(now, index, chosenJoint(now, name)));
   /** @param {Side} side */
   const setSide = (side) => {
     const { side: before, position } = lampPlaces(layout.channels)[index];
@@ -141,7 +136,7 @@ function RingFields({ channel: { ring = null, place = null }, most, onChange }) 
 }
 
 /** What takes what was typed into a field when it is valid; the browser says what is wrong otherwise. @param {(text: string) => void} onChange */
-function changed(onChange) {
+export function changed(onChange) {
   return (/** @type {Event} */ { currentTarget }) => {
     const input = /** @type {HTMLInputElement} */ (currentTarget);
     if (input.reportValidity()) onChange(input.value.trim());
@@ -150,12 +145,12 @@ function changed(onChange) {
 
 /** @param {import("./layout_document.js").Joint[]} joints of the layout */
 function jointOptions(joints) {
-  const others = USUAL_JOINTS.filter((name) => !joints.some((one) => one.name === name)).map(usualJoint);
+  const others = REFERENCE.usual_joints.filter((name) => !joints.some((one) => one.name === name)).map(usualJoint);
   /** @param {import("./layout_document.js").Joint} joint @param {string} group */
   const option = (joint, group) => ({ value: joint.name, label: jointLabel(joint), group });
   return [
     ...joints.map((joint) => option(joint, t("layouts-joints-here"))),
     ...others.map((joint) => option(joint, t("layouts-joints-more"))),
-    { value: NEW, label: t("layouts-joint-other"), group: t("layouts-joints-more") },
+    { value: NEW_JOINT, label: t("layouts-joint-other"), group: t("layouts-joints-more") },
   ];
 }

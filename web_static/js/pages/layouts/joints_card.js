@@ -6,16 +6,17 @@
  */
 import { failureWords } from "../../api.js";
 import { h, useRef, useSignal } from "../../preact.js";
-import { textLimits } from "../../reference.js";
+import { REFERENCE, textLimits } from "../../reference.js";
 import { t } from "../../texts.js";
 import { Selection } from "../../widgets/fields.js";
 import { allOf, number } from "../../widgets/format.js";
 import { jointLabel, sensorName } from "../../widgets/joint_words.js";
 import { useUntilGone } from "../../widgets/made.js";
+import { changed } from "./channel_form.js";
 import {
   channelCounts,
-  freeJoint,
-  USUAL_JOINTS,
+  chosenJoint,
+  NEW_JOINT,
   usualJoint,
   withGroups,
   withJointLabel,
@@ -23,7 +24,6 @@ import {
 } from "./layout_document.js";
 
 const SECONDS = 20; // of free movement, from which joints are proposed
-const NEW = "+"; // no joint has this name
 
 /** @param {{store: LayoutStore}} card */
 export function JointsCard({ store }) {
@@ -44,22 +44,19 @@ export function JointsCard({ store }) {
 }
 
 /** @param {{store: LayoutStore, joint: Joint, count: number}} row count: of its channels */
-function JointRow({ store: { draft, discards, change }, joint, count }) {
+function JointRow({ store: { discards, change }, joint, count }) {
   const words = jointLabel(joint);
-  const isUsual = USUAL_JOINTS.includes(joint.name);
+  const isUsual = REFERENCE.usual_joints.includes(joint.name);
   /** @param {string} name */
-  const rename = (name) => {
-    const own = { name: freeJoint(draft.value), label: t("layouts-joint-new") };
-    change((now) => withJointNamed(now, joint.name, name === NEW ? own : usualJoint(name)));
-  };
+  const rename = (name) => change((now) => withJointNamed(now, joint.name, chosenJoint(now, name)));
   return h(
     "div",
     { class: "layout-joint", role: "listitem" },
     h(Selection, {
       "aria-label": t("layouts-joint-row-label", { joint: words }),
       options: [
-        ...USUAL_JOINTS.map((name) => ({ value: name, label: jointLabel(usualJoint(name)) })),
-        { value: isUsual ? NEW : joint.name, label: isUsual ? t("layouts-joint-other") : words },
+        ...REFERENCE.usual_joints.map((name) => ({ value: name, label: jointLabel(usualJoint(name)) })),
+        { value: isUsual ? NEW_JOINT : joint.name, label: isUsual ? t("layouts-joint-other") : words },
       ],
       chosen: joint.name,
       onChange: rename,
@@ -73,10 +70,7 @@ function JointRow({ store: { draft, discards, change }, joint, count }) {
         required: true,
         ...textLimits("Joint", "label"),
         autocomplete: "off",
-        onChange: (/** @type {Event} */ { currentTarget }) => {
-          const input = /** @type {HTMLInputElement} */ (currentTarget);
-          if (input.reportValidity()) change((now) => withJointLabel(now, joint.name, input.value.trim()));
-        },
+        onChange: changed((label) => change((now) => withJointLabel(now, joint.name, label))),
       }),
     h("span", { class: "quiet small" }, t("layouts-channels", { count })),
   );

@@ -1,32 +1,16 @@
 /**
  * A layout in the editor. Each change makes another document, and leaves the one of before as it is.
- * @import { ShirtLayout } from "types/api"
+ * @import { LayoutsView, ShirtLayout } from "types/api"
  * @typedef {ShirtLayout["channels"][number]} Channel
  * @typedef {ShirtLayout["joints"][number]} Joint
  * @typedef {"front" | "back"} Side
  */
-export const SIDES = /** @type {const} */ (["front", "back"]);
-/** Joints that have a name in each language (app/layout.py). */
-export const USUAL_JOINTS = [
-  "right_shoulder",
-  "left_shoulder",
-  "right_elbow",
-  "left_elbow",
-  "right_wrist",
-  "left_wrist",
-  "right_fingers",
-  "left_fingers",
-  "head",
-  "trunk",
-  "right_hip",
-  "left_hip",
-  "right_knee",
-  "left_knee",
-  "right_ankle",
-  "left_ankle",
-];
+import { limitsOf } from "../../reference.js";
+import { t } from "../../texts.js";
+
+export const NEW_JOINT = "+"; // chosen in place of a joint's name, which is never that
 const FINEST = 1000; // parts of the outline's width and height by which a place is rounded
-const WHOLE = "body"; // the joint of all channels, before somebody says which they have
+export const WHOLE = "body"; // the joint of all channels, before somebody says which they have
 const OWN = "joint"; // begins the name of a joint that is not usual
 
 /** A layout of so many channels, all of one joint. @param {string} name @param {number} count @param {string} label of the joint @returns {ShirtLayout} */
@@ -110,6 +94,25 @@ export function usualJoint(name) {
   return { name, label: name.replaceAll("_", " ") };
 }
 
+/** The joint that somebody chose for a layout: a usual one, or a new one. @param {ShirtLayout} layout @param {string} name @returns {Joint} */
+export function chosenJoint(layout, name) {
+  return name === NEW_JOINT ? { name: freeJoint(layout), label: t("layouts-joint-new") } : usualJoint(name);
+}
+
+/**
+ * The first ring whose sensors are not counted 1 to their number, each once, although some are counted.
+ * @param {ShirtLayout} layout @returns {{ring: string, count: number} | null}
+ */
+export function wrongRing({ channels }) {
+  for (const { ring } of channels) {
+    const members = ring ? channels.filter((channel) => channel.ring === ring) : [];
+    const places = new Set(members.map(({ place }) => place ?? null));
+    const isCounted = members.every((_, place) => places.has(place));
+    if (ring && !isCounted && !(places.size === 1 && places.has(null))) return { ring, count: members.length };
+  }
+  return null;
+}
+
 /** The number of channels of each joint, by its name. @param {ShirtLayout} layout */
 export function channelCounts({ channels }) {
   /** @type {Map<string, number>} */
@@ -135,4 +138,10 @@ export function freeName(words, taken, longest) {
     const name = words.slice(0, longest - end.length) + end;
     if (!used.has(name)) return name;
   }
+}
+
+/** The name of a new layout, which none has. @param {string} words @param {LayoutsView} layouts */
+export function nameOfNew(words, { own, bundled }) {
+  const taken = [...own, ...bundled].map(({ layout }) => layout.name);
+  return freeName(words, taken, limitsOf("ShirtLayout", "name").longest ?? 0);
 }

@@ -1,6 +1,6 @@
 /**
  * The editor of a layout: its channels in a list and on the body, the form of the chosen one, its joints.
- * @import { Equipment, ShirtKind } from "types/documents"
+ * @import { ShirtKind } from "types/documents"
  * @import { LayoutStore, OwnLayout } from "./store.js"
  */
 import { giveFocus } from "../../focus.js";
@@ -19,7 +19,7 @@ import { putLayout, whyNotUsed } from "./use_layout.js";
 
 /**
  * @param {import("../../main.js").App} app @param {HTMLElement} root
- * @param {{entry: OwnLayout, equipment: Equipment, kinds: ShirtKind[], left: AbortSignal}} page
+ * @param {{entry: OwnLayout, equipment: LayoutStore["equipment"], kinds: ShirtKind[], left: AbortSignal}} page
  */
 export function showLayoutEditor(app, root, { entry, equipment, kinds, left }) {
   const store = layoutStore(app, entry, equipment, kinds, left);
@@ -39,7 +39,7 @@ function Page({ store }) {
     h("p", { class: "lead" }, isLive.value ? t("layouts-lead-live") : t("layouts-lead-not-live", { arriving, count })),
     h(
       "div",
-      { class: "layout-columns" },
+      { class: "main-columns" },
       h("div", { class: "stack" }, h(BodyCard, { store }), h(JointsCard, { store })),
       h("div", { class: "stack" }, h(ChannelList, { store }), h(ChannelForm, { store }), h(NameCard, { store })),
     ),

@@ -8,10 +8,9 @@
 import { passFocus } from "../../focus.js";
 import { newestAnswer } from "../../live/newest_answer.js";
 import { drawPage, Fragment, h } from "../../preact.js";
-import { limitsOf } from "../../reference.js";
 import { t } from "../../texts.js";
 import { Icon } from "../../widgets/icons.js";
-import { freeName } from "./layout_document.js";
+import { nameOfNew } from "./layout_document.js";
 import { NewLayout } from "./new_layout.js";
 import { putLayout, whyNotUsed } from "./use_layout.js";
 
@@ -27,17 +26,10 @@ const KEPT = 10_000; // ms for which a browser may read an exported file
 
 /**
  * @param {import("../../main.js").App} app @param {HTMLElement} root
- * @param {{first: LayoutsView, equipment: Equipment, kinds: ShirtKind[], left: AbortSignal}} page
+ * @param {{first: LayoutsView, equipment: List["equipment"], kinds: ShirtKind[], left: AbortSignal}} page
  */
-export function showLayoutList(app, root, { first, equipment: now, kinds, left }) {
-  const layouts = newestAnswer(app, left, first, () => app.api.get("/layouts"), { what: ["equipment"] });
-  const equipment = newestAnswer(
-    app,
-    left,
-    now,
-    async () => /** @type {Equipment} */ (await app.api.get("/equipment")),
-    { what: ["equipment"] },
-  );
+export function showLayoutList(app, root, { first, equipment, kinds, left }) {
+  const layouts = newestAnswer(app, left, first, () => app.api.get("/layouts"), { what: ["layouts", "equipment"] });
   drawPage(root, h(Page, { list: { app, layouts, equipment, kinds } }));
 }
 
@@ -51,7 +43,7 @@ function Page({ list }) {
     h("p", { class: "lead" }, t("layouts-lead")),
     h(
       "div",
-      { class: "layout-columns" },
+      { class: "main-columns" },
       h(
         "div",
         { class: "stack" },
@@ -120,8 +112,7 @@ function Row({ list, entry: { layout, use }, children }) {
   const { name, channels, joints } = layout;
   const duplicate = () =>
     app.toasts.attempt(async () => {
-      const taken = [...layouts.value.own, ...layouts.value.bundled].map((one) => one.layout.name);
-      const copy = freeName(t("layouts-copy", { name }), taken, limitsOf("ShirtLayout", "name").longest ?? 0);
+      const copy = nameOfNew(t("layouts-copy", { name }), layouts.value);
       layouts.value = await app.api.post("/layouts", { ...layout, name: copy });
       openNamed(list, copy);
     });

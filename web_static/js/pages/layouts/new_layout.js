@@ -6,13 +6,12 @@
  */
 import { failureWords } from "../../api.js";
 import { h, useRef, useSignal } from "../../preact.js";
-import { limitsOf, textLimits } from "../../reference.js";
+import { REFERENCE, textLimits } from "../../reference.js";
 import { t } from "../../texts.js";
 import { Choices, Field, Selection } from "../../widgets/fields.js";
-import { freeName, newLayout, withGroups } from "./layout_document.js";
+import { nameOfNew, newLayout, WHOLE, withGroups, withJointLabel } from "./layout_document.js";
 
 const SOURCES = /** @type {const} */ (["stream", "file", "count", "import"]);
-const MOST_CHANNELS = 64; // of a layout (app/layout.py)
 const USUAL_COUNT = 8;
 const LARGEST = 1_000_000; // bytes of a file with a layout: a hundred times what one needs
 
@@ -44,9 +43,7 @@ export function NewLayout({ list: { app, layouts, equipment }, onSaved }) {
     try {
       const layout = await made();
       const typed = String(new FormData(/** @type {HTMLFormElement} */ (form.current)).get("name") ?? "").trim();
-      const taken = [...layouts.value.own, ...layouts.value.bundled].map((one) => one.layout.name);
-      const longest = limitsOf("ShirtLayout", "name").longest ?? 0;
-      const name = typed || freeName(String(layout.name || t("layouts-new")), taken, longest);
+      const name = typed || nameOfNew(String(layout.name || t("layouts-new")), layouts.value);
       layouts.value = await app.api.post("/layouts", { ...layout, name });
       onSaved(name);
     } catch (error) {
@@ -92,7 +89,7 @@ export function NewLayout({ list: { app, layouts, equipment }, onSaved }) {
           name: "count",
           required: true,
           min: 1,
-          max: MOST_CHANNELS,
+          max: REFERENCE.numbers.layout_channels,
           step: 1,
           defaultValue: String(USUAL_COUNT),
         }),
@@ -125,11 +122,13 @@ export function NewLayout({ list: { app, layouts, equipment }, onSaved }) {
   );
 }
 
-/** The first layout of a file of signals, with the joints that its signals say. @param {import("../../main.js").App} app @param {string} file its name @returns {Promise<ShirtLayout>} */
+/** The first layout of a file of signals, with the joints that its names or its signals say. @param {import("../../main.js").App} app @param {string} file its name @returns {Promise<ShirtLayout>} */
 async function layoutOfFile(app, file) {
-  const { layout, has_joints: hasJoints, proposal } = await app.api.post("/layouts/draft", { file });
+  const { layout, proposal } = await app.api.post("/layouts/draft", { file });
+  if (!proposal) return layout;
   app.toasts.show(proposal.message);
-  return hasJoints ? layout : withGroups(layout, proposal.groups, (number) => t("layouts-group", { number }));
+  const whole = withJointLabel(layout, WHOLE, t("layouts-whole"));
+  return withGroups(whole, proposal.groups, (number) => t("layouts-group", { number }));
 }
 
 /** @param {File} file @returns {Promise<ShirtLayout>} as far as the server accepts it */

@@ -2,37 +2,31 @@
  * What the editor of a layout has: the document with its changes, the chosen channel, and which channels move now.
  * @import { LayoutsView, ShirtLayout } from "types/api"
  * @import { Equipment, ShirtKind } from "types/documents"
+ * @import { ReadonlySignal } from "../../preact.js"
  * @typedef {LayoutsView["own"][number]} OwnLayout
  * @typedef {ReturnType<typeof layoutStore>} LayoutStore
  */
 import { failureWords } from "../../api.js";
 import { movingNow } from "../../live/moving_channels.js";
-import { newestAnswer } from "../../live/newest_answer.js";
 import { computed, signal } from "../../preact.js";
 import { t } from "../../texts.js";
 import { forgetDraft, readDraft, storeDraft } from "./draft_store.js";
+import { wrongRing } from "./layout_document.js";
 
 /** @type {number[]} */
 const NONE = [];
 
 /**
- * @param {import("../../main.js").App} app @param {OwnLayout} entry the layout that is edited @param {Equipment} first
- * @param {ShirtKind[]} kinds of shirts @param {AbortSignal} left of the page
+ * @param {import("../../main.js").App} app @param {OwnLayout} entry the layout that is edited
+ * @param {ReadonlySignal<Equipment>} equipment @param {ShirtKind[]} kinds of shirts @param {AbortSignal} left of the page
  */
-export function layoutStore(app, entry, first, kinds, left) {
+export function layoutStore(app, entry, equipment, kinds, left) {
   const saved = signal(entry);
-  const draft = signal(readDraft(entry.id, entry.version) ?? entry.layout);
+  const draft = signal(readDraft(entry.id, entry.saved) ?? entry.layout);
   const picked = signal(0); // index of a channel
   const problem = signal(""); // why it was not saved
   const isSending = signal(false);
   const discards = signal(0); // how often changes were given up: what was typed goes with them
-  const equipment = newestAnswer(
-    app,
-    left,
-    first,
-    async () => /** @type {Equipment} */ (await app.api.get("/equipment")),
-    { what: ["equipment"] },
-  );
   const isChanged = computed(() => draft.value !== saved.value.layout);
   /** Whether what arrives now has as many channels as the layout, so that they can be seen to move. */
   const isLive = computed(() => equipment.value.layout?.channels.length === draft.value.channels.length);
@@ -42,21 +36,22 @@ export function layoutStore(app, entry, first, kinds, left) {
   const change = (made) => {
     draft.value = made(draft.peek());
     problem.value = "";
-    storeDraft({ id: saved.value.id, version: saved.value.version, layout: draft.value });
+    storeDraft(entry.id, { saved: saved.value.saved, layout: draft.value });
   };
   /** Give the changes up. */
   const discard = () => {
-    forgetDraft();
+    forgetDraft(entry.id);
     draft.value = saved.value.layout;
     problem.value = "";
     discards.value += 1;
-    picked.value = Math.min(picked.value, draft.value.channels.length - 1);
   };
   const save = async () => {
     if (isSending.value) return;
     const { id, version } = saved.value;
     const { value: sent } = draft;
-    problem.value = "";
+    const wrong = wrongRing(sent);
+    problem.value = wrong ? t("layouts-ring-places", wrong) : "";
+    if (wrong) return;
     isSending.value = true;
     try {
       const layout = { ...sent, name: sent.name.trim() };
@@ -64,7 +59,7 @@ export function layoutStore(app, entry, first, kinds, left) {
       const now = own.find((one) => one.id === id);
       if (now) saved.value = now;
       if (draft.value === sent) {
-        forgetDraft();
+        forgetDraft(id);
         draft.value = saved.value.layout;
       }
       app.toasts.show(t("layouts-saved", { name: layout.name }));

@@ -130,11 +130,11 @@ export async function show(app, root, { signal: left }) {
     },
     { signal: left },
   );
-  app.live.addEventListener(
-    "changed",
-    ({ detail }) => void (concerns(detail, { what: ["session", "trial"] }) && read().catch(() => null)),
-    { signal: left },
-  );
+  /** @type {import("../../live/news.js").Interest} */
+  const interest = { what: ["session", "trial", "deletion", "restoration"] };
+  app.live.addEventListener("changed", ({ detail }) => void (concerns(detail, interest) && read().catch(() => null)), {
+    signal: left,
+  });
   drawPage(
     root,
     h(

@@ -19,7 +19,8 @@ export async function show(app, root, { signal: left, rest: [patient, , ...ids] 
   const trials = await Promise.all(ids.slice(0, 2).map((id) => app.api.get(`/trials/${id}`)));
   trials.sort((a, b) => a.id - b.id);
   if (left.aborted) return;
-  app.setSubject({ code: trials[0].patient_code, sessions: trials.map((trial) => trial.session_number) });
+  const { patient_id: id, patient_code: code } = trials[0];
+  app.setSubject({ patient: id, code, sessions: trials.map((trial) => trial.session_number) });
   const [verdicts, recorded] = await Promise.all([verdictsOf(app, trials), recordingsOf(app, trials)]);
   if (left.aborted) return;
   /** @param {TrialDetail} trial */

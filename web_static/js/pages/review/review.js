@@ -9,6 +9,7 @@
 import { ChartPlace } from "../../charts/chart_place.js";
 import { trajectoriesChart } from "../../charts/trajectories_chart.js";
 import { PatientTests, patientTests } from "../../interface_test/interface_tests.js";
+import { newestAnswer } from "../../live/newest_answer.js";
 import { drawPage, Fragment, h } from "../../preact.js";
 import { nameOf } from "../../results/measures.js";
 import { ReportCard } from "../../results/report_choice.js";
@@ -30,12 +31,12 @@ export const OWN_PAGES = ["trial", "compare"]; // #/review/PATIENT/trial/ID, #/r
 /** @param {App} app @param {HTMLElement} root @param {{signal: AbortSignal, rest: string[]}} page */
 export async function show(app, root, { signal: left, rest }) {
   if (OWN_PAGES.includes(rest[1])) return (await import(`./${rest[1]}.js`)).show(app, root, { signal: left, rest });
-  const patients = await app.api.get("/patients");
+  const all = await app.api.get("/patients");
   const patient =
-    patients.find(({ id }) => String(id) === rest[0]) ??
-    patients.find(({ id }) => id === app.session?.patient?.id) ??
-    patients.find(({ trials }) => trials) ??
-    patients[0];
+    all.find(({ id }) => String(id) === rest[0]) ??
+    all.find(({ id }) => id === app.session?.patient?.id) ??
+    all.find(({ trials }) => trials) ??
+    all[0];
   if (left.aborted) return;
   if (!patient) return emptyPage(root, t("review-none-title"), t("review-nobody-lead"), "#/patients", t("nobody-go"));
   const [first, plans, unread] = await Promise.all([
@@ -44,7 +45,8 @@ export async function show(app, root, { signal: left, rest }) {
     unreadComments(app, patient.id, left),
   ]);
   if (left.aborted) return;
-  app.setSubject({ code: patient.code, sessions: [] });
+  app.setSubject({ patient: patient.id, code: patient.code, sessions: [] });
+  const patients = newestAnswer(app, left, all, () => app.api.get("/patients"), { what: ["deletion", "restoration"] });
   const tests = patientTests(app, patient.id, left); // read once, also when another path is chosen
   if (!first.length) {
     followTrials(app, patient.id, first, left, () => app.show());
@@ -56,17 +58,20 @@ export async function show(app, root, { signal: left, rest }) {
   await store.read();
 }
 
-/** @param {{app: App, patients: PatientView[], patient: PatientView}} choice */
+/** @param {{app: App, patients: ReadonlySignal<PatientView[]>, patient: PatientView}} choice */
 function PatientChoice({ app, patients, patient }) {
   const choice = h(Selection, {
-    options: patients.map(({ id, code, pseudonym }) => ({ value: String(id), label: `${code} ${pseudonym}` })),
+    options: patients.value.map(({ id, code, pseudonym }) => ({ value: String(id), label: `${code} ${pseudonym}` })),
     chosen: String(patient.id),
     onChange: (id) => app.go(`#/review/${id}`),
   });
   return h(Field, { label: t("review-patient") }, choice);
 }
 
-/** @param {{app: App, left: AbortSignal, patients: PatientView[], patient: PatientView, tests: Tests}} page */
+/**
+ * @param {{app: App, left: AbortSignal, patients: ReadonlySignal<PatientView[]>, patient: PatientView,
+ *   tests: Tests}} page
+ */
 function NoTrials({ app, left, patients, patient, tests }) {
   return h(
     Fragment,
@@ -74,7 +79,7 @@ function NoTrials({ app, left, patients, patient, tests }) {
     h("h1", { tabindex: -1 }, t("review-none-title")),
     h("p", { class: "lead" }, t("review-none-lead")),
     app.me?.role !== "reviewer" && h("a", { class: "btn go large", href: "#/drive" }, t("review-none-go")),
-    patients.length > 1 && h("div", { class: "other-patient" }, h(PatientChoice, { app, patients, patient })),
+    patients.value.length > 1 && h("div", { class: "other-patient" }, h(PatientChoice, { app, patients, patient })),
     h(PatientTests, { app, left, tests }),
   );
 }
@@ -91,9 +96,9 @@ function Page({ store, tests }) {
     h(
       "div",
       { class: "columns filters" },
-      patients.length > 1 && h(PatientChoice, { app, patients, patient }),
+      patients.value.length > 1 && h(PatientChoice, { app, patients, patient }),
       h("a", { class: "btn", href: `#/session/patient/${patient.id}` }, t("record-link")),
-      patients.length > 1 && h("a", { class: "btn", href: "#/attention" }, t("attention-open")),
+      patients.value.length > 1 && h("a", { class: "btn", href: "#/attention" }, t("attention-open")),
       h(Choices, { store }),
     ),
     h(

@@ -50,7 +50,7 @@ export function followTrials(app, patient, first, left, onChange) {
 
 /**
  * @param {App} app
- * @param {{patients: PatientView[], patient: PatientView, first: ListedTrial[], plans: FloorPlanView[],
+ * @param {{patients: ReadonlySignal<PatientView[]>, patient: PatientView, first: ListedTrial[], plans: FloorPlanView[],
  *   unread: ReadonlySignal<CommentView[]>}} given first: the trials of the patient, at least one
  * @param {string} named key of the path to show, if it was driven @param {AbortSignal} left
  */

@@ -23,7 +23,7 @@ export async function show(app, root, { signal: left, rest: [patient, , id] }) {
   const read = await readTrial(app.api, id);
   if (left.aborted) return;
   const { trial } = read;
-  app.setSubject({ code: trial.patient_code, sessions: [trial.session_number] });
+  app.setSubject({ patient: trial.patient_id, code: trial.patient_code, sessions: [trial.session_number] });
   if (trial.status === "running") {
     const lookWhetherOver = async () => {
       const now = await app.api.get(`/trials/${id}`).catch(() => null);

@@ -18,7 +18,7 @@ export async function show(app, root, { signal: left, rest: [, first, second] })
   const found = await app.api.get(`/sessions/${Number(first)}/comparison?other=${Number(second)}`);
   if (left.aborted) return;
   const { earlier, later } = found;
-  app.setSubject({ code: earlier.code, sessions: [earlier.number, later.number] });
+  app.setSubject({ patient: earlier.patient_id, code: earlier.code, sessions: [earlier.number, later.number] });
   drawWithLinks(root, h(Page, { found }), { [`#/session/patient/${earlier.patient_id}`]: t("record-back") });
 }
 

@@ -27,6 +27,7 @@ export async function show(app, root, { signal: left, rest: [, patient, part] })
     unreadComments(app, id, left),
   ]);
   if (left.aborted) return;
+  app.setSubject({ patient: id, code: consents.code, sessions: [] });
   const shares = links && newestAnswer(app, left, links, askShares, { what: ["shares"], patient: id });
   drawWithLinks(root, h(Page, { app, left, sessions, first: consents, shares, unread }), {
     [`#/review/${id}`]: t("rail-review"),

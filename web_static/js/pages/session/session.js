@@ -32,7 +32,7 @@ export async function show(app, root, { signal: left, rest }) {
   const store = recordStore(app, first, left);
   const unread = await unreadComments(app, patient, left);
   if (left.aborted) return;
-  app.setSubject({ code, sessions: [number] });
+  app.setSubject({ patient, code, sessions: [number] });
   drawWithLinks(root, h(Page, { store, unread }), {
     [`#/session/story/${id}`]: t("record-story"),
     [`#/session/patient/${patient}`]: t("record-back"),

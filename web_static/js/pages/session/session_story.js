@@ -12,7 +12,7 @@ export async function show(app, root, { signal: left, rest: [, session] }) {
   const first = await ask();
   if (left.aborted) return;
   const { number, code, patient_id: patient } = first;
-  app.setSubject({ code, sessions: [number] });
+  app.setSubject({ patient, code, sessions: [number] });
   const story = newestAnswer(app, left, first, ask, { what: ["record", "comment", "trial", "session"], session: id });
   const Card = () =>
     h(

@@ -1,14 +1,14 @@
 /**
- * What the page says of what arrives at the shirt: nothing wrong, too soon to say, or what to do.
+ * What the page says of what arrives at the shirt: that it is too soon to say, or what to do.
  * @import { ArrivalsMoment } from "types/api"
- * @typedef {{state: "good" | "waiting" | "silent" | "wrong", words: string}} ArrivalWords
+ * @typedef {{state: "waiting" | "silent" | "wrong", words: string}} ArrivalWords
  */
 import { t } from "../../texts.js";
 
 /** Verdicts while signals come, which something else is wrong with. */
-const WRONG = new Set(["rate", "moving", "nobody"]);
-/** The server's verdicts that another part of the page says, with what to do. */
-const ELSEWHERE = new Set(["senders"]);
+const WRONG = new Set(["rate", "partial", "moving", "nobody"]);
+/** The server's verdicts of which nothing is said here: all is well, or another part of the page says what to do. */
+const UNSAID = new Set(["arrives", "senders"]);
 /** What a browser says of its own camera, about which the server knows nothing. */
 const NO_CAMERA = new Set(["insecure", "none", "denied", "busy", "failed", "taken"]);
 
@@ -17,9 +17,8 @@ const NO_CAMERA = new Set(["insecure", "none", "denied", "busy", "failed", "take
  * @returns {ArrivalWords | null} null: there is nothing to say
  */
 export function arrivalWords(arrivals, camera) {
-  if (!arrivals || ELSEWHERE.has(arrivals.verdict)) return null;
+  if (!arrivals || UNSAID.has(arrivals.verdict)) return null;
   const { verdict, message } = arrivals;
-  if (verdict === "arrives") return { state: "good", words: message };
   if (verdict === "waiting") return { state: "waiting", words: message };
   if (WRONG.has(verdict)) return { state: "wrong", words: message };
   return { state: "silent", words: NO_CAMERA.has(camera) ? t(`camera-${camera}`) : message };

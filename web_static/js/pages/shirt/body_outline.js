@@ -6,6 +6,16 @@ export const WIDTH = 200;
 export const HEIGHT = 228;
 /** What 1 of a layout's y is in this drawing: layouts reach from the crown to the thighs, the drawing ends at the hem. */
 export const LAYOUT_HEIGHT = 262;
+export const SIDES = /** @type {const} */ (["front", "back"]);
+
+/** @param {[number, number]} position of a layout @returns {[number, number]} in units of this drawing */
+export const inDrawing = ([x, y]) => [x * WIDTH, y * LAYOUT_HEIGHT];
+
+/** Where a pointer is in the picture whose event this is, in units of this drawing. @param {MouseEvent} event */
+export function pointIn({ clientX, clientY, currentTarget }) {
+  const picture = /** @type {SVGSVGElement} */ (currentTarget);
+  return new DOMPoint(clientX, clientY).matrixTransform(picture.getScreenCTM()?.inverse());
+}
 
 // The patient's half at the right of the picture, from the neck down the arm and up again to the hip. The other half mirrors it.
 const SHOULDER = "C143 54 153.5 58 157.5 72 C161 89 168 103 175 119";

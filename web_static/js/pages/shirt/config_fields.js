@@ -14,12 +14,12 @@
  * @typedef {{element: VNode<any> | null, isNarrow?: boolean, read: () => unknown}} FormField narrow ones stand side by side
  * @typedef {(schema: FieldSchema, value: any, around: Surroundings) => FormField} Maker makes a field that shows `value`
  */
-import { h, useSignal } from "../../preact.js";
+import { h, useRef, useSignal } from "../../preact.js";
 import { t } from "../../texts.js";
 import { Field, Segments, Selection, Toggle } from "../../widgets/fields.js";
 import { unrounded } from "../../widgets/format.js";
 import { Stepper } from "../../widgets/setting.js";
-import { AddFile, FileField } from "./signal_files.js";
+import { AddFile, FileField, ImportLink } from "./signal_files.js";
 
 const REPLAYED = new Set(["signals", "recording"]);
 const LEAST_CHANNELS = 3; // with fewer, two choices of channels would name the same ones
@@ -49,7 +49,10 @@ export function configFields(form, around) {
   });
   const bringsFiles = Object.values(properties).some(({ format }) => format === "signal-file");
   return {
-    fields: [...inColumns(made.map(([, one]) => one)), ...(bringsFiles ? [h(AddFile, { app: around.app })] : [])],
+    fields: [
+      ...inColumns(made.map(([, one]) => one)),
+      ...(bringsFiles ? [h(AddFile, { app: around.app }), h(ImportLink, {})] : []),
+    ],
     config: async () => {
       const values = await Promise.all(made.map(async ([name, { read }]) => [name, await read()]));
       return { kind: kind.const, ...Object.fromEntries(values) };
@@ -206,27 +209,33 @@ function layoutFile(schema, value, { layout, layouts }) {
   const { title = "", description } = schema;
   /** @type {File | undefined} */
   let file;
-  let name = ""; // of a layout that was saved
-  const onChange = (/** @type {Event} */ { currentTarget }) =>
-    void (file = /** @type {HTMLInputElement} */ (currentTarget).files?.[0]);
-  const onChoose = (/** @type {string} */ chosen) => void (name = chosen);
-  const Saved = () => {
+  let name = ""; // of a layout that was saved; where there is one, there is no file
+  const Layout = () => {
+    const chosen = useSignal(name);
+    const input = useRef(/** @type {HTMLInputElement | null} */ (null));
+    const bring = (/** @type {Event} */ { currentTarget }) => {
+      file = /** @type {HTMLInputElement} */ (currentTarget).files?.[0];
+      if (file) name = chosen.value = "";
+    };
+    const choose = (/** @type {string} */ next) => {
+      name = chosen.value = next;
+      file = undefined;
+      if (input.current) input.current.value = "";
+    };
     const names = layouts.value.map((one) => one.name);
-    if (!names.length) return null;
-    const options = [
-      { value: "", label: t("source-layout-kept") },
-      ...names.map((one) => ({ value: one, label: one })),
-    ];
-    return h(Field, { label: t("source-layout-saved") }, h(Selection, { options, chosen: name, onChange: onChoose }));
+    const options = ["", ...names].map((one) => ({ value: one, label: one || t("source-layout-kept") }));
+    const saved = h(Selection, { options, chosen: chosen.value, onChange: choose });
+    const bringing = h("input", { type: "file", accept: ".json,application/json", onChange: bring, ref: input });
+    return h(
+      "div",
+      { class: "stack" },
+      names.length > 0 && h(Field, { label: t("source-layout-saved") }, saved),
+      h(Field, { label: title, hint: description }, bringing),
+    );
   };
-  const input = h("input", { type: "file", accept: ".json,application/json", onChange });
   const saved = () => layouts.peek().find((one) => one.name === name);
   const kept = () => (isOptional(schema) ? (value ?? null) : (layout.peek() ?? undefined));
-  const read = async () => (file ? readDocument(file) : (saved() ?? kept()));
-  return {
-    element: h("div", { class: "stack" }, h(Saved, {}), h(Field, { label: title, hint: description }, input)),
-    read,
-  };
+  return { element: h(Layout, {}), read: async () => (file ? readDocument(file) : (saved() ?? kept())) };
 }
 
 /** A line with a control. @param {string} title @param {VNode<any>} control */

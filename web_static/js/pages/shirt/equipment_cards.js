@@ -39,7 +39,6 @@ export function SourceCard({ store }) {
     {
       store,
       name: "source",
-      kind: "source-place",
       now,
       startsOpen: !shirt, // choosing one is the next step
       form: (use) => h(SourceForm, { store, onUse: (config) => use(app.api.put("/equipment/shirt", config)) }),
@@ -49,19 +48,16 @@ export function SourceCard({ store }) {
   );
 }
 
-/** Which channels the shirt has, and the way to the page that says where they are. @param {{store: ShirtStore}} card */
-export function LayoutCard({ store }) {
-  const { layout } = store.equipment.value;
+/** Which channels the shirt has, and the way to the page that says where they are; a reviewer may not see that page. @param {{store: ShirtStore}} card */
+export function LayoutCard({ store: { app, equipment } }) {
+  const { layout } = equipment.value;
+  if (!layout || app.me?.role === "reviewer") return null;
   return h(
     "section",
     { class: "card", "data-card": "layout" },
     h("h2", {}, t("layouts-card")),
-    h(
-      "p",
-      {},
-      layout ? t("layouts-card-now", { name: layout.name, count: layout.channels.length }) : t("layouts-card-none"),
-    ),
-    h("a", { class: "btn small", href: "#/layouts" }, t("layouts-card-go")),
+    h("p", {}, t("layouts-card-now", { name: layout.name, count: layout.channels.length })),
+    h("a", { class: "btn small", href: "#/layouts" }, t("layouts-back")),
   );
 }
 
@@ -95,12 +91,12 @@ export function HeadCard({ store }) {
 
 /**
  * @param {object} card
- * @param {ShirtStore} card.store @param {"source" | "body" | "head"} card.name @param {string} [card.kind] further classes
+ * @param {ShirtStore} card.store @param {"source" | "body" | "head"} card.name
  * @param {ComponentChildren} card.now what is in use @param {boolean} [card.startsOpen]
  * @param {(use: Use) => ComponentChildren} card.form
  * @param {ComponentChildren} [card.children] below the form
  */
-function Card({ store, name, kind = "", now, startsOpen = false, form, children }) {
+function Card({ store, name, now, startsOpen = false, form, children }) {
   const isOpen = useSignal(startsOpen);
   const changes = useSignal(0);
   const card = useRef(/** @type {HTMLElement | null} */ (null));
@@ -117,7 +113,7 @@ function Card({ store, name, kind = "", now, startsOpen = false, form, children 
   }, [changes.value]);
   return h(
     "section",
-    { class: `card ${kind}`, "data-card": name, ref: card },
+    { class: "card", "data-card": name, ref: card },
     h("h2", {}, t(`${name}-title`)),
     now,
     h(

@@ -1,7 +1,7 @@
 /** The quality lamps on the body: every state differs by colour, by shape and by sign; the nearest lamp is the one that is tapped. */
 import { Fragment, h, useMemo, useRef } from "../../preact.js";
 import { t } from "../../texts.js";
-import { HEIGHT, LAYOUT_HEIGHT, Outline, WIDTH } from "./body_outline.js";
+import { HEIGHT, inDrawing, Outline, pointIn, SIDES, WIDTH } from "./body_outline.js";
 import { labelsOf, sensorName } from "../../widgets/joint_words.js";
 import { lampPlaces, spread } from "./lamp_places.js";
 
@@ -26,7 +26,6 @@ export const QUALITIES = {
   silent: { shape: "circle", sign: "?" },
 };
 
-const SIDES = /** @type {const} */ (["front", "back"]);
 /** What a key moves the choice by. @type {Record<string, number | undefined>} */
 const STEPS = { ArrowRight: 1, ArrowDown: 1, ArrowLeft: -1, ArrowUp: -1 };
 
@@ -121,15 +120,9 @@ function lampsOf(channels) {
   return lamps;
 }
 
-/** @param {[number, number]} position of a layout @returns {[number, number]} in units of the outline */
-function inDrawing(position) {
-  return [position[0] * WIDTH, position[1] * LAYOUT_HEIGHT];
-}
-
 /** @param {Lamp[]} lamps of one picture @param {MouseEvent} event of that picture @returns {Lamp | null} */
-function nearestLamp(lamps, { clientX, clientY, currentTarget }) {
-  const picture = /** @type {SVGSVGElement} */ (currentTarget);
-  const at = new DOMPoint(clientX, clientY).matrixTransform(picture.getScreenCTM()?.inverse());
+function nearestLamp(lamps, event) {
+  const at = pointIn(event);
   /** @param {Lamp} lamp */
   const distance = (lamp) => Math.hypot(lamp.at[0] - at.x, lamp.at[1] - at.y);
   const [first = null, ...others] = lamps;

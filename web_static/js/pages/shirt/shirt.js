@@ -38,7 +38,7 @@ function Page({ store }) {
     h("h1", { tabindex: -1 }, t("shirt-title")),
     h(State, { store }),
     h(SourceCard, { store }),
-    h("div", { class: "shirt-columns" }, h(Sensors, { store }), h(Cards, { store })),
+    h("div", { class: "main-columns shirt-columns" }, h(Sensors, { store }), h(Cards, { store })),
     h(Signals, { store }),
   );
 }

@@ -64,3 +64,13 @@ export function AddFile({ app }) {
     h("span", { class: "quiet small" }, t("source-add-hint")),
   );
 }
+
+/** The way to recordings of other programs. */
+export function ImportLink() {
+  return h(
+    "div",
+    { class: "spread" },
+    h("a", { class: "btn", href: "#/import_recording" }, t("source-import")),
+    h("span", { class: "quiet small" }, t("source-import-hint")),
+  );
+}

@@ -11,14 +11,14 @@ export function WhatArrives({ store }) {
   const { live, equipment } = store;
   const { shirt, body, simulated } = equipment.value;
   const said = arrivalWords(live.value.arrivals, shirt?.kind === "camera" ? status.value : "");
-  if (said?.state === "silent" || said?.state === "wrong")
+  if (said?.state === "waiting") return h("p", { class: "quiet small" }, h(Spoken, { words: said.words }));
+  if (said)
     return h(
       "div",
       { class: "problem arrivals" },
       h("h3", {}, t(said.state === "silent" ? "source-nothing" : "source-heed")),
       h(Spoken, { words: said.words }),
     );
-  if (said?.state === "waiting") return h("p", { class: "quiet small" }, h(Spoken, { words: said.words }));
   const mayMove = !simulated || body?.kind === "visitor";
   return mayMove && live.value.isSending && h(Wiggle, { store });
 }

@@ -122,6 +122,11 @@ api-too-many-objects = Es gibt schon { $count } Objekte. Löschen Sie einige im 
 api-wrong-upload = „{ $name }“ ist weder eine CSV- noch eine Parquet-Datei. Speichern Sie die Datei in einem dieser Formate, und fügen Sie sie dann noch einmal hinzu.
 api-upload-too-large = „{ $name }“ ist größer als { $megabytes } MB. Kürzen Sie die Datei, oder speichern Sie sie als Parquet.
 api-upload-empty = „{ $name }“ ist leer. Wählen Sie eine andere Datei.
+# Begins a sentence on what is wrong in what a person has corrected.
+api-the-import = Der Import
+# A choice among joints: of channels whose names say no part of the body.
+api-joint-body = Körper, als ein Gelenk
+api-one-recording = Aufzeichnungen werden einzeln importiert. Wählen Sie nur eine Datei, oder die von BIDS-motion mit ihrer _channels.tsv und _motion.json.
 # $count is a count of numbers in the file.
 api-upload-columns = „{ $name }“ hat keine Spalte mit Zeiten (t) und Kanälen daneben, oder die Datei enthält mehr als { NUMBER($count, useGrouping: 1) } Zahlen. Eine Zeile über den Zahlen muss die Zeit und jeden Kanal nennen.
 # $problem is the reason that the operating system gives.

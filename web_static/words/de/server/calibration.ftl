@@ -7,6 +7,7 @@ calibration-rest = Ausruhen
 calibration-rest-instruction = Sitzen Sie bequem, und lassen Sie die Arme hängen. Bewegen Sie sich drei Sekunden lang nicht.
 calibration-free = Frei bewegen
 calibration-free-instruction = Bewegen Sie Arme und Schultern zehn Sekunden lang, wie Sie möchten, so weit es angenehm ist.
+calibration-free-short-instruction = Drehen Sie zehn Sekunden lang den Kopf zu einer Seite, neigen Sie den Oberkörper zu einer Seite und schieben Sie jede Schulter vor, immer wieder, in beliebiger Reihenfolge, so weit es angenehm ist.
 # Below an instruction to move one joint.
 calibration-prompt-instruction = Folgen Sie { $count }-mal dem Takt: Bewegen Sie sich, wenn die Vorgabe es zeigt. Bewegen Sie sich dann langsam zurück, und ruhen Sie sich aus.
 calibration-move-elbow =

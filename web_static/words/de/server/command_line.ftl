@@ -234,6 +234,8 @@ cli-signals-summary =
         [one] { $rows } Abtastwerte, { $seconds } s, mit { $rate } Hz, { $channels } Kanal.
        *[other] { $rows } Abtastwerte, { $seconds } s, mit { $rate } Hz, { $channels } Kanäle.
     }
+# names: of streams or sheets.
+cli-signals-parts = Teile, die sich mit --part einzeln lesen lassen: { $names }.
 cli-signals-suffix = --out { $file }: der Name muss mit .parquet enden
 cli-signals-rate = --rate { $rate }: geben Sie Hz von { $least } bis { $most } an
 cli-signals-unit = --unit { $unit }: geben Sie eine dieser Einheiten an: { $known }

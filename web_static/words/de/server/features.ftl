@@ -15,10 +15,10 @@ layouts-missing = Es gibt kein Layout { $number }. Wählen Sie eines aus der Lis
 layouts-most = Eine Klinik hat höchstens { $count } Layouts. Löschen Sie eines, das nicht gebraucht wird.
 layouts-name-taken = Es gibt schon ein Layout „{ $name }“. Geben Sie diesem einen anderen Namen.
 layouts-saved-meanwhile = „{ $name }“ wurde inzwischen an einem anderen Bildschirm gespeichert. Öffnen Sie es neu, und ändern Sie es dort.
-layouts-in-use = Das Shirt in Gebrauch hat das Layout „{ $name }“. Verwenden Sie zuerst ein anderes Layout, und löschen Sie dann dieses.
+layouts-in-use = Das verwendete Shirt hat das Layout „{ $name }“. Verwenden Sie zuerst ein anderes Layout, und löschen Sie dann dieses.
 # $count: 2 or more.
 layouts-proposal-groups = { $count } Gruppen von Sensoren bewegen sich gemeinsam.
 layouts-proposal-one = Alle bewegten Sensoren haben sich gemeinsam bewegt. Sie bilden ein einziges Gelenk.
 layouts-proposal-unclear = Keine klaren Gruppen. Bewegen Sie ein Gelenk nach dem anderen, jedes mehrmals, und lassen Sie dann neu vorschlagen.
 layouts-proposal-still = Weniger als zwei Sensoren haben sich bewegt. Bewegen Sie jedes Gelenk, und lassen Sie dann neu vorschlagen.
-layouts-proposal-short = An weniger als { $least } Sekunden Signal lässt sich nicht erkennen, welche Sensoren sich gemeinsam bewegen.
+layouts-proposal-short = An weniger als { $least } Sekunden Signal lässt sich nicht erkennen, welche Sensoren sich gemeinsam bewegen. Verwenden Sie eine längere Datei, oder lassen Sie das Shirt länger senden, und lassen Sie dann neu vorschlagen.

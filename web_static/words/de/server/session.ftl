@@ -83,6 +83,7 @@ visit-shirt-changed = Das Shirt ist ein anderes als zu Beginn dieser Kalibrierun
 visit-no-step = Diese Kalibrierung hat keinen Schritt „{ $step }“. Wählen Sie einen aus der Liste.
 visit-step-recorded = Ein Schritt wird aufgezeichnet. Warten Sie, bis er fertig ist, oder brechen Sie ihn zuerst ab.
 visit-step-not-recorded = Dieser Schritt wird nicht oder nicht mehr aufgezeichnet. Starten Sie ihn, oder wählen Sie einen anderen.
+visit-no-short-calibration = Nur eine Kamera, die Kopf, Rumpf und Schultern sieht, hat eine kurze Kalibrierung. Beginnen Sie die ganze.
 visit-step-needed = „Ausruhen“ und „Frei bewegen“ lassen sich nicht überspringen: Aus ihnen entsteht die Kalibrierung.
 visit-step-interrupted = Während dieses Schritts wurde das Programm beendet. Wiederholen Sie ihn.
 visit-step-process-ended = Während dieses Schritts wurde der Steuerungsprozess beendet. Wiederholen Sie den Schritt.

@@ -10,10 +10,16 @@ arrivals-udp-nothing =
     }
 arrivals-slimevr-nothing =
     { $reach ->
-        [machine] Auf { $place } kommt gar nichts an. Nur Programme auf diesem Rechner erreichen diese Adresse. Tracker suchen 0.0.0.0, das sind alle Netze dieses Rechners.
+        [machine] Auf { $place } kommt gar nichts an. Nur Programme auf diesem Rechner erreichen diese Adresse. Empfangen Sie auf 0.0.0.0, das sind alle Netze dieses Rechners, damit die Tracker ihn finden.
        *[network] Auf { $place } kommt gar nichts an: Die Tracker sind in einem anderen Netz, oder eine Firewall hält ihre Pakete ab. Bringen Sie sie in das Netz dieses Rechners, und öffnen Sie in seiner Firewall den UDP-Port { $port }.
     }
-arrivals-slimevr-idle = Ein Tracker antwortet, sendet aber keine Bewegung. Schalten Sie ihn aus und ein, und prüfen Sie, ob eine Firewall abhält, was dieser Rechner ihm sendet.
+arrivals-slimevr-idle = Ein Tracker antwortet, sendet aber keine Bewegung. Bewegen Sie ihn: Manche senden nichts, solange sie ganz still liegen. Bleibt es so, schalten Sie ihn aus und ein, und prüfen Sie, ob eine Firewall abhält, was dieser Rechner ihm sendet.
+# $source is a kind of shirt, $parts a list of parts of the body.
+arrivals-partial =
+    { $source ->
+        [slimevr] Signale kommen an, aber keine von: { $parts }. Schalten Sie den Tracker dort ein. Einer, der nur sendet, was sich geändert hat, gilt als stumm, solange er ganz still liegt: Verwenden Sie eine Firmware, die auch dann sendet (OPTIMIZE_UPDATES aus).
+       *[other] Signale kommen an, aber keine von: { $parts }. Schalten Sie den Sensor dort ein.
+    }
 # $why is a message shirtdev-frame-... or arrivals-no-tracker; $sender is an address.
 arrivals-foreign =
     { $count ->
@@ -41,7 +47,7 @@ arrivals-lsl-silent =
         [yes] Das Programm, das { $streams } sendet, ist beendet. Starten Sie es auf demselben Rechner neu; seine Werte kommen dann von selbst zurück.
        *[no] Von { $streams } kommen keine Werte. Lassen Sie das sendende Programm beginnen, und öffnen Sie zwischen beiden Rechnern die UDP- und TCP-Ports 16572 bis 16604.
     }
-arrivals-camera-nothing = Keine Seite sendet als Kamera. Starten Sie sie hier oder auf dem Patientenbildschirm, und lassen Sie diese Seite im Blick.
+arrivals-camera-nothing = Keine Seite sendet als Kamera. Starten Sie sie hier oder auf dem Patientenbildschirm, und lassen Sie diese Seite sichtbar.
 arrivals-camera-nobody = Die Kamera sendet, sieht aber niemanden. Setzen Sie sich so, dass Kopf, Schultern und Arme im Bild sind.
 arrivals-camera-idle = Die Kamera liefert immer dasselbe Bild. Prüfen Sie, ob sie verdeckt oder ausgeschaltet ist, und starten Sie sie neu.
 arrivals-camera-late = Bilder kommen { $delay } s zu spät an, und ein verspätetes zählt nicht. Schließen Sie andere Programme auf dem Gerät der Kamera, oder wählen Sie weniger Datenpakete pro Sekunde.
@@ -51,7 +57,7 @@ arrivals-page-foreign =
         [one] { $count } Nachricht kam an, die kein neuer Wert ist. Laden Sie die Seite neu, die sie sendet.
        *[other] { $count } Nachrichten kamen an, die keine neuen Werte sind. Laden Sie die Seite neu, die sie sendet.
     }
-arrivals-phones-nothing = Kein Telefon sendet. Koppeln Sie eines, tippen Sie darauf auf „Beginnen“, und lassen Sie seine Seite im Blick. Seine Seite sagt, was ihm fehlt.
+arrivals-phones-nothing = Kein Telefon sendet. Koppeln Sie eines, tippen Sie darauf auf „Beginnen“, und lassen Sie seine Seite sichtbar. Seine Seite sagt, was ihm fehlt.
 arrivals-phones-late = Nachrichten der Telefone kommen { $delay } s zu spät an, und eine verspätete zählt nicht. Bringen Sie die Telefone näher an die Station des Funknetzes.
 # $why is what this computer's Bluetooth says.
 arrivals-bluetooth-nothing =

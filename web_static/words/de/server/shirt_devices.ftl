@@ -3,7 +3,7 @@
 ## The form of each kind of shirt: its title, what it is, how it is named when it is in use, its fields.
 
 # Whether a kind of shirt may drive a real chair, where shirts are chosen.
-shirtdev-chair-wired = Darf einen echten Rollstuhl fahren, denn nur das Shirt ist an seinem Kabel.
+shirtdev-chair-wired = Darf einen echten Rollstuhl fahren, wenn sein Kabel an diesem Rechner steckt: Darauf kann nur das Shirt senden.
 shirtdev-chair-with-key = Darf einen echten Rollstuhl nur mit Schlüssel fahren, denn sonst könnte jedes Gerät im Netz senden.
 shirtdev-chair-nobody-wears = Fährt nie einen echten Rollstuhl, denn niemand trägt es.
 shirtdev-chair-nobody-proves = Fährt nie einen echten Rollstuhl, denn nichts belegt, wessen Bewegungen es sind.
@@ -14,7 +14,7 @@ shirtdev-key = Schlüssel
 # In “ ” stands a command, which is not translated.
 shirtdev-key-hint = Über das Netz darf nur ein Shirt mit Schlüssel einen echten Rollstuhl fahren. „bodydrive shirt pair“ auf diesem Rechner erstellt einen.
 # The document that names the shirt's sensors.
-shirtdev-layout = Layout
+shirtdev-layout = Layout aus einer Datei
 shirtdev-layout-hint = Eine JSON-Datei, die die Sensoren benennt. Ohne Datei bleibt das jetzige Layout.
 shirtdev-simulator-title = Simuliertes Shirt
 shirtdev-simulator-about = Ein Stoff mit 52 Sensoren, berechnet aus dem Körper darin.

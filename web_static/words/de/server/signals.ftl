@@ -27,6 +27,13 @@ signals-foreign-damaged = { $file }: diese Datei im Format { $kind } ist beschä
 signals-foreign-empty = { $file }: diese Datei im Format { $kind } enthält keine Signale; nennen Sie eine andere
 signals-variables-left-out = Variablen anderer Länge wurden weggelassen: { $names }.
 signals-streams-left-out = Datenströme ohne Zahlen wurden weggelassen: { $names }.
+# sheet: the name of a sheet of a workbook; names: those of others.
+signals-sheet-read = Das Blatt { $sheet } wurde gelesen; diese anderen wurden weggelassen: { $names }.
+# count: 2 or more, parts of a recording between which nothing was recorded.
+signals-blocks-left-out = Die Datei hat { $count } Blöcke; der erste wurde gelesen.
+# part: the name of a stream or of a sheet.
+signals-part-missing = { $file }: es gibt keinen Teil „{ $part }“ (vorhanden: { $names }); nennen Sie einen von diesen
+signals-matlab-objects = { $file }: ihre Tabellen haben eine Form, die nur MATLAB liest; speichern Sie sie mit writetable als CSV
 signals-topics-left-out = Die Orte sind die des Topics { $topic }; diese anderen wurden weggelassen: { $names }.
 signals-places-several = { $file }: mehrere Spalten können der Ort sein ({ $names }); nennen Sie die richtigen x und y
 signals-kitti-times = { $file }: Posen in der Form von KITTI haben keine Zeiten; legen Sie times.txt mit { $count } Zeiten daneben, oder geben Sie die Abtastrate an
@@ -48,6 +55,7 @@ signals-cells =
 signals-not-a-number = { $place }, Spalte „{ $column }“: „{ $cell }“ ist keine Zahl; schreiben Sie eine, oder lassen Sie die Zelle leer
 signals-no-numbers = { $file }: in dieser Datei steht keine Tabelle mit Zahlen; nennen Sie eine andere
 signals-line-cut = Die letzte Zeile ist abgeschnitten und wurde weggelassen ({ $place }).
+signals-table-further = Bei { $place } beginnt eine weitere Tabelle; sie wurde weggelassen.
 signals-columns-left-out = Spalten ohne Zahlen, die sich ändern, wurden weggelassen: { $names }.
 # separator: what stands between two columns; decimal: the sign of a decimal number.
 signals-dialect =
@@ -121,8 +129,16 @@ signals-time-read =
         [d] Die Zeiten sind die der Spalte „{ $column }“, in Tagen.
        *[s] Die Zeiten sind die der Spalte „{ $column }“, in Sekunden.
     }
+signals-time-wraps =
+    { $count ->
+        [one] Die Uhr von „{ $column }“ begann { $count }-mal wieder bei 0; ihre Zeiten laufen dort weiter.
+       *[other] Die Uhr von „{ $column }“ begann { $count }-mal wieder bei 0; ihre Zeiten laufen dort weiter.
+    }
+# A person has said that no column of the file is right as the time.
+signals-rate-needed = { $file }: ohne eine Spalte mit Zeiten ist die Abtastrate unbekannt; geben Sie sie in Hz an
 # rate: given by a person.
 signals-rate-set = Die Abtastwerte gelten als gleichmäßig, mit { $rate } Hz.
+signals-rate-beyond = { $file }: ihre Abtastrate ist { $rate } Hz; nehmen Sie mit { $slowest } bis { $fastest } Hz auf
 # found: the sample rate by the column.
 signals-rate-wrong = { $file }: als Abtastrate ist { $rate } Hz angegeben, nach der Spalte „{ $column }“ sind es { $found } Hz; geben Sie diese an, oder nennen Sie die Einheit der Spalte
 signals-time-large = { $file }: { $column } geht von { $first } bis { $last }; geben Sie die Zeit in Sekunden an

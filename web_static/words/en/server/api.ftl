@@ -122,6 +122,11 @@ api-too-many-objects = There are { $count } objects already: delete some in the 
 api-wrong-upload = '{ $name }' is not a CSV or Parquet file: save it as one of these, then add it again.
 api-upload-too-large = '{ $name }' is larger than { $megabytes } MB: cut it, or save it as Parquet.
 api-upload-empty = '{ $name }' is empty: choose another file.
+# Begins a sentence on what is wrong in what a person has corrected.
+api-the-import = The import
+# A choice among joints: of channels whose names say no part of the body.
+api-joint-body = Body, as one joint
+api-one-recording = One recording is imported at a time: choose one file, or that of BIDS-motion with its _channels.tsv and _motion.json.
 # $count is a count of numbers in the file.
 api-upload-columns = '{ $name }' has no column of times (t) with channels beside it, or more than { NUMBER($count, useGrouping: 1) } numbers: a row above the numbers must name the time and each channel.
 # $problem is the reason that the operating system gives.

@@ -7,6 +7,7 @@ calibration-rest = Rest
 calibration-rest-instruction = Sit comfortably and let your arms hang. Do not move for three seconds.
 calibration-free = Move freely
 calibration-free-instruction = Move your arms and shoulders any way you like for ten seconds, as far as is comfortable.
+calibration-free-short-instruction = For ten seconds, turn your head to one side, lean to one side and push each shoulder forward, again and again, in any order, as far as is comfortable.
 # Below an instruction to move one joint.
 calibration-prompt-instruction = Follow the beat { $count } times: move when the cue says so, then come back slowly and rest.
 calibration-move-elbow =

@@ -234,6 +234,8 @@ cli-signals-summary =
         [one] { $rows } samples, { $seconds } s, at { $rate } Hz, { $channels } channel.
        *[other] { $rows } samples, { $seconds } s, at { $rate } Hz, { $channels } channels.
     }
+# names: of streams or sheets.
+cli-signals-parts = Parts that can be read alone with --part: { $names }.
 cli-signals-suffix = --out { $file }: its name must end in .parquet
 cli-signals-rate = --rate { $rate }: give Hz from { $least } to { $most }
 cli-signals-unit = --unit { $unit }: give one of { $known }

@@ -21,4 +21,4 @@ layouts-proposal-groups = { $count } groups of sensors move together.
 layouts-proposal-one = All sensors that moved, moved together: they make one joint.
 layouts-proposal-unclear = No clear groups: move one joint after the other, each of them several times, then propose again.
 layouts-proposal-still = Fewer than two sensors moved: move every joint, then propose again.
-layouts-proposal-short = Fewer than { $least } seconds of signals are too few to see which sensors move together.
+layouts-proposal-short = Fewer than { $least } seconds of signals are too few to see which sensors move together: use a longer file, or let the shirt send for longer, then propose again.

@@ -83,6 +83,7 @@ visit-shirt-changed = The shirt is another one than when this calibration began:
 visit-no-step = There is no step '{ $step }' in this calibration: choose one of the list.
 visit-step-recorded = A step is being recorded: wait for its end, or stop the recording first.
 visit-step-not-recorded = This step is not being recorded, or no longer: start it, or choose another.
+visit-no-short-calibration = Only a camera that sees head, trunk and shoulders has a short calibration: begin the whole one.
 visit-step-needed = Rest and free movement cannot be skipped: the calibration is made of them.
 visit-step-interrupted = The program ended during this step: repeat it.
 visit-step-process-ended = The control process ended during this step: repeat it.

@@ -10,10 +10,16 @@ arrivals-udp-nothing =
     }
 arrivals-slimevr-nothing =
     { $reach ->
-        [machine] Nothing at all arrives at { $place }. Only programs on this machine reach that address: trackers look for 0.0.0.0, which is every network of this machine.
+        [machine] Nothing at all arrives at { $place }. Only programs on this machine reach that address. Listen on 0.0.0.0, which is every network of this machine, so that the trackers can find it.
        *[network] Nothing at all arrives at { $place }: the trackers are in another network, or a firewall keeps their packets out. Bring them into the network of this machine, and open UDP port { $port } in its firewall.
     }
-arrivals-slimevr-idle = A tracker answers, but no movement comes from it. Switch it off and on, and see whether a firewall keeps out what this machine sends to it.
+arrivals-slimevr-idle = A tracker answers, but no movement comes from it. Move it: some send nothing while they lie quite still. If it stays so, switch it off and on, and see whether a firewall keeps out what this machine sends to it.
+# $source is a kind of shirt, $parts a list of parts of the body.
+arrivals-partial =
+    { $source ->
+        [slimevr] Signals arrive, but none from: { $parts }. Switch the tracker there on. One that sends only what has changed counts as silent while it lies quite still: use firmware that sends then, too (OPTIMIZE_UPDATES off).
+       *[other] Signals arrive, but none from: { $parts }. Switch the sensor there on.
+    }
 # $why is a message shirtdev-frame-... or arrivals-no-tracker; $sender is an address.
 arrivals-foreign =
     { $count ->
@@ -23,7 +29,7 @@ arrivals-foreign =
 # Stands in brackets, behind what is left out.
 arrivals-no-tracker = it does not come from a tracker: let nothing else send to this port
 # $why is a message shirtdev-frame-late, shirtdev-newest-not-stored or arrivals-repeated.
-arrivals-none-counts = Frames arrive, but none counts ({ $why }).
+arrivals-none-counts = Frames arrive, but none is used ({ $why }).
 arrivals-repeated = each was used before: start the shirt again
 # $stranger and $sender are addresses.
 arrivals-senders = Frames arrive from { $stranger }, and are left out, because the shirt is the sender at { $sender }.
@@ -44,7 +50,7 @@ arrivals-lsl-silent =
 arrivals-camera-nothing = No page sends as the camera: start it here or on the patient’s screen, and keep that page in view.
 arrivals-camera-nobody = The camera sends, but sees nobody: sit so that head, shoulders and arms are in the picture.
 arrivals-camera-idle = The camera gives the same picture again and again. Look whether it is covered or switched off, then start it again.
-arrivals-camera-late = Pictures arrive { $delay } s late, and a late one counts as none: close other programs on the device of the camera, or choose fewer frames a second.
+arrivals-camera-late = Pictures arrive { $delay } s late, and a late one is not used: close other programs on the device of the camera, or choose fewer frames a second.
 arrivals-camera-slow = The camera reads { $pictures } pictures a second, too few for { $expected } frames: choose fewer frames a second, or use another device.
 arrivals-page-foreign =
     { $count ->
@@ -52,7 +58,7 @@ arrivals-page-foreign =
        *[other] { $count } messages arrived that are no new samples: load the page that sends them again.
     }
 arrivals-phones-nothing = No phone sends: pair one, tap Start on it, and keep its page in view. Its page says what it lacks.
-arrivals-phones-late = Messages of the phones arrive { $delay } s late, and a late one counts as none: bring the phones nearer to the wireless network’s station.
+arrivals-phones-late = Messages of the phones arrive { $delay } s late, and a late one is not used: bring the phones nearer to the wireless network’s station.
 # $why is what this computer's Bluetooth says.
 arrivals-bluetooth-nothing =
     { $why ->

@@ -3,7 +3,7 @@
 ## The form of each kind of shirt: its title, what it is, how it is named when it is in use, its fields.
 
 # Whether a kind of shirt may drive a real chair, where shirts are chosen.
-shirtdev-chair-wired = May drive a real chair, for nobody but the shirt is on its cable.
+shirtdev-chair-wired = May drive a real chair when its cable is plugged into this machine: only the shirt can send on it.
 shirtdev-chair-with-key = May drive a real chair with a key only, for otherwise anybody on the network could send.
 shirtdev-chair-nobody-wears = Never drives a real chair, for nobody wears it.
 shirtdev-chair-nobody-proves = Never drives a real chair, for nothing proves whose movements it shows.
@@ -14,7 +14,7 @@ shirtdev-key = Key
 # In “ ” stands a command, which is not translated.
 shirtdev-key-hint = Over the network, only a shirt with a key may drive a real chair. “bodydrive shirt pair” on this machine makes one.
 # The document that names the shirt's sensors.
-shirtdev-layout = Layout
+shirtdev-layout = Layout from a file
 shirtdev-layout-hint = A JSON file that names the sensors. Without one, the layout in use now is kept.
 shirtdev-simulator-title = Simulated shirt
 shirtdev-simulator-about = A fabric with 52 sensors, calculated from the body inside it.
@@ -299,7 +299,7 @@ shirtdev-camera-closed = The camera is not in use.
 shirtdev-camera-silent =
     No camera sends: start it on the Shirt page or on the patient's screen{ $late ->
         [0] {""}
-       *[other] {" "}(its pictures arrived { $delay } s late, and a late one counts as none: close other programs on that device, or choose fewer frames a second)
+       *[other] {" "}(its pictures arrived { $delay } s late, and a late one is not used: close other programs on that device, or choose fewer frames a second)
     }{ $refused ->
         [0] {""}
         [one] , { $refused } message refused
@@ -471,7 +471,7 @@ shirtdev-sensors-battery = Battery almost empty: { $parts }. Charge it.
 ## Why frames are not used: each stands in brackets, behind what is left out.
 
 shirtdev-newest-not-stored = the number of the newest frame cannot be stored ({ $why }): free some disk space
-shirtdev-frame-late = its frames arrive { $delay } s late, and a late one counts as none: bring the shirt nearer to its receiver, and check what else uses the network
+shirtdev-frame-late = its frames arrive { $delay } s late, and a late one is not used: bring the shirt nearer to its receiver, and check what else uses the network
 shirtdev-frame-short = a datagram of { $size } bytes is too short to be a frame
 shirtdev-frame-foreign = what arrives does not come from a shirt
 shirtdev-frame-version = the shirt speaks version { $version } of the protocol, version { $understood } is understood

@@ -27,6 +27,13 @@ signals-foreign-damaged = { $file }: this { $kind } file is damaged, or of an un
 signals-foreign-empty = { $file }: this { $kind } file holds no signals, name another one
 signals-variables-left-out = Variables of another length were left out: { $names }.
 signals-streams-left-out = Streams without numbers were left out: { $names }.
+# sheet: the name of a sheet of a workbook; names: those of others.
+signals-sheet-read = The sheet { $sheet } was read; these others were left out: { $names }.
+# count: 2 or more, parts of a recording between which nothing was recorded.
+signals-blocks-left-out = The file has { $count } blocks; the first one was read.
+# part: the name of a stream or of a sheet.
+signals-part-missing = { $file }: there is no part '{ $part }' (there are { $names }), name one of these
+signals-matlab-objects = { $file }: its tables are in a form that only MATLAB reads, save them with writetable as CSV
 signals-topics-left-out = The places are those of the topic { $topic }; these others were left out: { $names }.
 signals-places-several = { $file }: several columns can be the place ({ $names }), call the right ones x and y
 signals-kitti-times = { $file }: poses in the form of KITTI have no times, lay times.txt with { $count } times beside it, or give the sample rate
@@ -48,6 +55,7 @@ signals-cells =
 signals-not-a-number = { $place }, column '{ $column }': '{ $cell }' is not a number, write one or leave the cell empty
 signals-no-numbers = { $file }: there is no table of numbers in this file, name another one
 signals-line-cut = The last line was cut and is left out ({ $place }).
+signals-table-further = Another table begins at { $place } and is left out.
 signals-columns-left-out = Columns without numbers that change were left out: { $names }.
 # separator: what stands between two columns; decimal: the sign of a decimal number.
 signals-dialect =
@@ -121,8 +129,16 @@ signals-time-read =
         [d] The times are those of the column '{ $column }', in days.
        *[s] The times are those of the column '{ $column }', in seconds.
     }
+signals-time-wraps =
+    { $count ->
+        [one] The clock of '{ $column }' began again at 0, { $count } time, and its times go on there.
+       *[other] The clock of '{ $column }' began again at 0, { $count } times, and its times go on there.
+    }
+# A person has said that no column of the file is right as the time.
+signals-rate-needed = { $file }: without a column of times its sample rate is unknown, give it in Hz
 # rate: given by a person.
 signals-rate-set = The samples count as even, at { $rate } Hz.
+signals-rate-beyond = { $file }: its sample rate is { $rate } Hz, record at { $slowest } to { $fastest } Hz
 # found: the sample rate by the column.
 signals-rate-wrong = { $file }: the sample rate is given as { $rate } Hz, but by the column '{ $column }' it is { $found } Hz, give that one, or name the unit of the column
 signals-time-large = { $file }: { $column } goes from { $first } to { $last }, give the time in seconds

@@ -122,6 +122,11 @@ api-too-many-objects = Ya hay { $count } objetos: elimine algunos de la carpeta 
 api-wrong-upload = “{ $name }” no es un archivo CSV ni Parquet: guárdelo como uno de los dos y añádalo otra vez.
 api-upload-too-large = “{ $name }” ocupa más de { $megabytes } MB: recórtelo, o guárdelo como Parquet.
 api-upload-empty = “{ $name }” está vacío: elija otro archivo.
+# Begins a sentence on what is wrong in what a person has corrected.
+api-the-import = La importación
+# A choice among joints: of channels whose names say no part of the body.
+api-joint-body = Cuerpo, como una sola articulación
+api-one-recording = Las grabaciones se importan de una en una: elija un solo archivo, o el de BIDS-motion con su _channels.tsv y su _motion.json.
 # $count is a count of numbers in the file.
 api-upload-columns = “{ $name }” no tiene una columna de tiempos (t) con canales al lado, o contiene más de { NUMBER($count, useGrouping: 1) } números: una fila encima de los números debe nombrar el tiempo y cada canal.
 # $problem is the reason that the operating system gives.

@@ -7,6 +7,7 @@ calibration-rest = Reposo
 calibration-rest-instruction = Siéntese con comodidad y deje los brazos relajados. No se mueva durante tres segundos.
 calibration-free = Movimiento libre
 calibration-free-instruction = Mueva los brazos y los hombros como quiera durante diez segundos, hasta donde le resulte cómodo.
+calibration-free-short-instruction = Durante diez segundos, gire la cabeza hacia un lado, incline el cuerpo hacia un lado y empuje cada hombro hacia adelante, una y otra vez, en cualquier orden, hasta donde le resulte cómodo.
 # Below an instruction to move one joint.
 calibration-prompt-instruction = Siga el ritmo { $count } veces: muévase cuando lo pida la indicación; después vuelva despacio y quédese en reposo.
 calibration-move-elbow =

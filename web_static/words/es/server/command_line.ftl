@@ -234,6 +234,8 @@ cli-signals-summary =
         [one] { $rows } muestras, { $seconds } s, a { $rate } Hz, { $channels } canal.
        *[other] { $rows } muestras, { $seconds } s, a { $rate } Hz, { $channels } canales.
     }
+# names: of streams or sheets.
+cli-signals-parts = Partes que pueden leerse solas con --part: { $names }.
 cli-signals-suffix = --out { $file }: el nombre debe terminar en .parquet
 cli-signals-rate = --rate { $rate }: indique Hz de { $least } a { $most }
 cli-signals-unit = --unit { $unit }: indique una de estas unidades: { $known }

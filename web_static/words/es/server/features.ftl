@@ -21,4 +21,4 @@ layouts-proposal-groups = Hay { $count } grupos de sensores que se mueven juntos
 layouts-proposal-one = Todos los sensores que se movieron lo hicieron juntos: forman una sola articulación.
 layouts-proposal-unclear = Los grupos no están claros: mueva una articulación tras otra, cada una varias veces, y pida después otra propuesta.
 layouts-proposal-still = Se movieron menos de dos sensores: mueva todas las articulaciones y pida después otra propuesta.
-layouts-proposal-short = Con menos de { $least } segundos de señales no se ve qué sensores se mueven juntos.
+layouts-proposal-short = Con menos de { $least } segundos de señales no se ve qué sensores se mueven juntos: use un archivo más largo o deje que la camiseta envíe durante más tiempo, y pida después otra propuesta.

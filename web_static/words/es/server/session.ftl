@@ -83,6 +83,7 @@ visit-shirt-changed = La camiseta no es la misma que cuando empezó esta calibra
 visit-no-step = En esta calibración no hay ningún paso “{ $step }”: elija uno de la lista.
 visit-step-recorded = Se está grabando un paso: espere a que termine, o pare primero la grabación.
 visit-step-not-recorded = Este paso no se está grabando, o ya no: empiécelo, o elija otro.
+visit-no-short-calibration = Solo una cámara que ve la cabeza, el tronco y los hombros tiene una calibración corta: empiece la completa.
 visit-step-needed = Los pasos Reposo y Movimiento libre no se pueden omitir: con ellos se hace la calibración.
 visit-step-interrupted = El programa se cerró durante este paso: repítalo.
 visit-step-process-ended = El proceso de control terminó durante este paso: repita el paso.

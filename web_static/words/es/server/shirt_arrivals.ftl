@@ -10,10 +10,16 @@ arrivals-udp-nothing =
     }
 arrivals-slimevr-nothing =
     { $reach ->
-        [machine] A { $place } no llega nada en absoluto. Solo los programas de este equipo alcanzan esa dirección: los rastreadores buscan 0.0.0.0, que son todas las redes de este equipo.
+        [machine] A { $place } no llega nada en absoluto. Solo los programas de este equipo alcanzan esa dirección. Escuche en 0.0.0.0, que son todas las redes de este equipo, para que los rastreadores lo encuentren.
        *[network] A { $place } no llega nada en absoluto: los rastreadores están en otra red, o un cortafuegos no deja pasar sus paquetes. Conéctelos a la red de este equipo y abra en su cortafuegos el puerto UDP { $port }.
     }
-arrivals-slimevr-idle = Un rastreador responde, pero no llega de él ningún movimiento. Apáguelo y enciéndalo, y compruebe si un cortafuegos retiene lo que este equipo le envía.
+arrivals-slimevr-idle = Un rastreador responde, pero no llega de él ningún movimiento. Muévalo: algunos no envían nada mientras están del todo quietos. Si sigue así, apáguelo y enciéndalo, y compruebe si un cortafuegos retiene lo que este equipo le envía.
+# $source is a kind of shirt, $parts a list of parts of the body.
+arrivals-partial =
+    { $source ->
+        [slimevr] Llegan señales, pero ninguna de: { $parts }. Encienda el rastreador de ahí. Uno que solo envía lo que ha cambiado cuenta como mudo mientras está del todo quieto: use un firmware que también entonces envíe (OPTIMIZE_UPDATES desactivado).
+       *[other] Llegan señales, pero ninguna de: { $parts }. Encienda el sensor de ahí.
+    }
 # $why is a message shirtdev-frame-... or arrivals-no-tracker; $sender is an address.
 arrivals-foreign =
     { $count ->

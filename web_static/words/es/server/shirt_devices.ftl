@@ -3,7 +3,7 @@
 ## The form of each kind of shirt: its title, what it is, how it is named when it is in use, its fields.
 
 # Whether a kind of shirt may drive a real chair, where shirts are chosen.
-shirtdev-chair-wired = Puede conducir una silla real, porque en su cable solo está la camiseta.
+shirtdev-chair-wired = Puede conducir una silla real si su cable está conectado a este equipo: por él solo puede enviar la camiseta.
 shirtdev-chair-with-key = Puede conducir una silla real solo con clave, porque sin ella cualquiera en la red podría enviar.
 shirtdev-chair-nobody-wears = Nunca conduce una silla real, porque no la lleva nadie.
 shirtdev-chair-nobody-proves = Nunca conduce una silla real, porque nada demuestra de quién son los movimientos.
@@ -14,7 +14,7 @@ shirtdev-key = Clave
 # In “ ” stands a command, which is not translated.
 shirtdev-key-hint = Por la red, solo una camiseta con clave puede conducir una silla real. El comando “bodydrive shirt pair”, en este equipo, crea una.
 # The document that names the shirt's sensors.
-shirtdev-layout = Disposición
+shirtdev-layout = Disposición de un archivo
 shirtdev-layout-hint = Un archivo JSON que nombra los sensores. Sin él, se conserva la disposición que está en uso.
 shirtdev-simulator-title = Camiseta simulada
 shirtdev-simulator-about = Un tejido con 52 sensores, calculado a partir del cuerpo que lo lleva.

@@ -27,6 +27,13 @@ signals-foreign-damaged = { $file }: este archivo { $kind } está dañado o tien
 signals-foreign-empty = { $file }: este archivo { $kind } no contiene señales, indique otro
 signals-variables-left-out = Se dejaron fuera variables de otra longitud: { $names }.
 signals-streams-left-out = Se dejaron fuera flujos sin números: { $names }.
+# sheet: the name of a sheet of a workbook; names: those of others.
+signals-sheet-read = Se leyó la hoja { $sheet }; se dejaron fuera estas otras: { $names }.
+# count: 2 or more, parts of a recording between which nothing was recorded.
+signals-blocks-left-out = El archivo tiene { $count } bloques; se leyó el primero.
+# part: the name of a stream or of a sheet.
+signals-part-missing = { $file }: no hay ninguna parte “{ $part }” (hay { $names }), indique una de estas
+signals-matlab-objects = { $file }: sus tablas están en una forma que solo lee MATLAB, guárdelas como CSV con writetable
 signals-topics-left-out = Los lugares son los del topic { $topic }; se dejaron fuera estos otros: { $names }.
 signals-places-several = { $file }: varias columnas pueden ser el lugar ({ $names }), llame x e y a las correctas
 signals-kitti-times = { $file }: las poses con la forma de KITTI no tienen tiempos, ponga al lado times.txt con { $count } tiempos o indique la frecuencia de muestreo
@@ -48,6 +55,7 @@ signals-cells =
 signals-not-a-number = { $place }, columna “{ $column }”: “{ $cell }” no es un número, escriba uno o deje vacía la celda
 signals-no-numbers = { $file }: en este archivo no hay ninguna tabla de números, indique otro
 signals-line-cut = La última línea está cortada y se dejó fuera ({ $place }).
+signals-table-further = En { $place } empieza otra tabla, que se dejó fuera.
 signals-columns-left-out = Se dejaron fuera columnas sin números que cambien: { $names }.
 # separator: what stands between two columns; decimal: the sign of a decimal number.
 signals-dialect =
@@ -121,8 +129,16 @@ signals-time-read =
         [d] Los tiempos son los de la columna “{ $column }”, en días.
        *[s] Los tiempos son los de la columna “{ $column }”, en segundos.
     }
+signals-time-wraps =
+    { $count ->
+        [one] El reloj de “{ $column }” volvió a empezar en 0 { $count } vez; sus tiempos continúan ahí.
+       *[other] El reloj de “{ $column }” volvió a empezar en 0 { $count } veces; sus tiempos continúan ahí.
+    }
+# A person has said that no column of the file is right as the time.
+signals-rate-needed = { $file }: sin una columna de tiempos no se conoce la frecuencia de muestreo, indíquela en Hz
 # rate: given by a person.
 signals-rate-set = Las muestras cuentan como uniformes, a { $rate } Hz.
+signals-rate-beyond = { $file }: su frecuencia de muestreo es de { $rate } Hz, grabe entre { $slowest } y { $fastest } Hz
 # found: the sample rate by the column.
 signals-rate-wrong = { $file }: la frecuencia de muestreo se indicó como { $rate } Hz, pero según la columna “{ $column }” es de { $found } Hz, indique esa o la unidad de la columna
 signals-time-large = { $file }: { $column } va de { $first } a { $last }, indique el tiempo en segundos

@@ -1,0 +1,137 @@
+/**
+ * What the page of an import shows: the file, what the server says of it, and what a person has corrected. The server
+ * keeps nothing in between, so each request carries the file.
+ * @import { RecordingOverview, StoredRecording } from "types/api"
+ * @typedef {{column: string, joint: string}} Channel
+ * @typedef {{part: string | null, time: string | null, unit: string | null, rate: number | null,
+ *   channels: Channel[] | null}} Corrections null: as the file says; `time` empty: no column is the time
+ * @typedef {ReturnType<typeof importStore>} ImportStore
+ */
+import { failureWords } from "../../api.js";
+import { computed, signal } from "../../preact.js";
+import { t } from "../../texts.js";
+import { sendUnderName } from "../../widgets/same_name.js";
+
+/** @type {Corrections} */
+const AS_THE_FILE_SAYS = { part: null, time: null, unit: null, rate: null, channels: null };
+
+/** @param {import("../../main.js").App} app @param {AbortSignal} left of the page */
+export function importStore(app, left) {
+  const files = signal(/** @type {File[]} */ ([]));
+  const corrections = signal(AS_THE_FILE_SAYS);
+  const overview = signal(/** @type {RecordingOverview | null} */ (null));
+  const problem = signal("");
+  const isReading = signal(false);
+  const isSending = signal(false);
+  /** The columns that become channels, each with its joint. */
+  const channels = computed(() => corrections.value.channels ?? (overview.value ? channelsOf(overview.value) : []));
+  let requests = 0;
+
+  /** @param {Channel[] | null} chosen */
+  const form = (chosen) => {
+    const sent = new FormData();
+    for (const file of files.value) sent.append("files", file);
+    sent.append("options", JSON.stringify({ ...corrections.value, channels: chosen }));
+    return sent;
+  };
+
+  const read = async () => {
+    const request = ++requests;
+    problem.value = "";
+    isReading.value = true;
+    /** @type {RecordingOverview | null} */
+    let answer = null;
+    let words = "";
+    try {
+      const sent = form(corrections.value.channels);
+      answer = /** @type {RecordingOverview} */ (await app.api.call("POST", "/equipment/files/overview", sent));
+    } catch (error) {
+      words = failureWords(error);
+    }
+    if (request !== requests || left.aborted) return; // a person has corrected something else meanwhile
+    isReading.value = false;
+    problem.value = words;
+    overview.value = answer ?? overview.value;
+  };
+
+  /** @param {File[]} chosen */
+  const choose = (chosen) => {
+    files.value = chosen;
+    corrections.value = AS_THE_FILE_SAYS;
+    overview.value = null;
+    if (chosen.length) read();
+  };
+
+  /** Correct something, and read the file again with that. @param {Partial<Corrections>} corrected */
+  const correct = (corrected) => {
+    corrections.value = { ...corrections.value, ...corrected };
+    if (corrections.value.channels?.length !== 0) read();
+  };
+
+  /** Leave a column in or out. @param {string} column @param {boolean} isIn */
+  const setChannel = (column, isIn) => {
+    const joints = jointsOf(overview.value);
+    const names = channels.value.map((channel) => channel.column);
+    const next = isIn ? [...names, column] : names.filter((name) => name !== column);
+    const order = overview.value?.columns.map(({ name }) => name) ?? [];
+    const sorted = next.sort((one, other) => order.indexOf(one) - order.indexOf(other));
+    const own = new Map(channels.value.map((channel) => [channel.column, channel.joint]));
+    correct({ channels: sorted.map((name) => ({ column: name, joint: own.get(name) ?? joints[name] })) });
+  };
+
+  /** @param {string} column @param {string} joint */
+  const setJoint = (column, joint) => {
+    const changed = channels.value.map((channel) => (channel.column === column ? { column, joint } : channel));
+    corrections.value = { ...corrections.value, channels: changed }; // it changes nothing in how the file is read
+  };
+
+  /** Store the recording, and play it as the shirt if `isUsed`. @param {boolean} isUsed */
+  const store = async (isUsed) => {
+    if (isSending.value) return;
+    problem.value = "";
+    isSending.value = true;
+    try {
+      const stored = await sendUnderName(app.question, (sameName) =>
+        app.api.call("POST", `/equipment/files/import?same_name=${sameName}`, form(channels.value)),
+      );
+      if (stored) {
+        const { name } = /** @type {StoredRecording} */ (stored);
+        app.toasts.show(t("source-added", { file: name }));
+        if (isUsed) {
+          await app.api.put("/equipment/shirt", { kind: "replay", file: name, loop: true });
+          app.go("#/shirt");
+        }
+      }
+    } catch (error) {
+      problem.value = failureWords(error);
+    }
+    isSending.value = false;
+  };
+
+  return {
+    files,
+    corrections,
+    overview,
+    problem,
+    isReading,
+    isSending,
+    channels,
+    choose,
+    correct,
+    setChannel,
+    setJoint,
+    store,
+  };
+}
+
+/** The columns that the server reads as channels. @param {RecordingOverview} overview @returns {Channel[]} */
+function channelsOf({ columns }) {
+  return columns
+    .filter(({ role, joint }) => role === "channel" && joint !== null)
+    .map(({ name, joint }) => ({ column: name, joint: joint ?? "" }));
+}
+
+/** @param {RecordingOverview | null} overview @returns {Record<string, string>} */
+function jointsOf(overview) {
+  return Object.fromEntries(overview?.columns.map(({ name, joint }) => [name, joint ?? ""]) ?? []);
+}
