@@ -10,9 +10,9 @@ from app.faults import Fault, State
 from app.geometry import STANDSTILL, Twist
 from app.hardware.base import Chair
 from app.messages import SensorFrame, Tick
-from app.pipeline.channel_health import LossWindow
 from app.pipeline.controls import Controls
 from app.pipeline.decoder import Decoder, periods_between
+from app.pipeline.frame_loss import LossWindow
 from app.pipeline.movement_check import MovementCheck
 from app.pipeline.safety_gate import (
     ARMED,

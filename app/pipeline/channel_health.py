@@ -1,4 +1,4 @@
-"""Which channels are bad, and whether too many frames are lost."""
+"""Which channels are bad."""
 
 # Compiled in a wheel (hatch_build.py).
 
@@ -22,8 +22,6 @@ STUCK_SHARE: Final = 0.7  # of the standard deviation of a channel's own noise: 
 SAMPLES: Final = 12  # frames of half a window whose range is computed first: of 12, noise seldom has so small a range
 RANGE_FACTOR: Final = 1.5  # of the calibrated half-range: a value beyond it is not from this body
 SMALLEST_HALF_RANGE: Final = 1e-9  # signal units, for a channel that did not change in the calibration
-LOSS_WINDOW: Final = 1.0  # s
-LOSS_LIMIT: Final = 0.1  # share of frames
 
 
 class ChannelHealth:
@@ -208,34 +206,3 @@ class ChannelHealth:
     def memory(self) -> int:
         """How many earlier frames decide whether a channel is stuck."""
         return max(self._flat_after, self._stuck_after) + 1
-
-
-class LossWindow:
-    """The share of frames lost over the last second, counted in a ring of ten bins."""
-
-    BINS = 10
-
-    def __init__(self) -> None:
-        self.reset()
-
-    def reset(self) -> None:
-        """Forget the losses."""
-        self._came = [0] * self.BINS
-        self._missing = [0] * self.BINS
-        self._bin = 0
-        self.too_lossy = False
-        """Whether more than a tenth of the last second's frames are missing."""
-
-    def step(self, t: float, missing: int) -> None:
-        """Count one frame that came at `t` (s), and `missing` frames lost before it."""
-        current = int(t * self.BINS / LOSS_WINDOW)
-        if current != self._bin:
-            for stale in range(max(self._bin + 1, current - self.BINS + 1), current + 1):
-                self._came[stale % self.BINS] = self._missing[stale % self.BINS] = 0
-            self._bin = current
-        place = current % self.BINS
-        self._came[place] += 1
-        if missing or self.too_lossy:
-            self._missing[place] += missing
-            lost = sum(self._missing)
-            self.too_lossy = lost > LOSS_LIMIT * (lost + sum(self._came))

@@ -72,6 +72,23 @@ def test_all_follow_a_shirt_that_falls_silent_and_sends_again(page, served):
         process.sends, process.shirt_words = True, "Sends."
 
 
+def test_what_changes_while_a_page_reads_is_not_lost(page, served):
+    process = served.process
+    process.sends, process.shirt_words = False, NO_FRAMES
+    go(page, "settings")
+    expect_ticks(page, ("Patients",))
+
+    def answer_late(route):
+        answer = route.fetch()  # of the silent shirt; it comes to the page after the news that the shirt sends
+        process.sends, process.shirt_words = True, "Sends."
+        expect_ticks(page, READY)
+        route.fulfill(response=answer)
+
+    page.route("**/api/v1/controls", answer_late, times=1)
+    page.get_by_role("link", name="Controls").click()
+    expect_all(page, "controls", READY, "Sends.")
+
+
 def test_all_follow_another_shirt_that_is_chosen_on_another_screen(page, served):
     process = served.process
     for where in PAGES:

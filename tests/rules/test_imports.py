@@ -18,8 +18,8 @@ LEAVES = "leaf"
 PURE_CHAIN = tuple(
     f"pipeline.{name}"
     for name in (
-        *("chain", "channel_health", "channel_substitution", "controls", "decoder", "map_readings"),
-        *("person_brakes", "projection", "return_doubt"),
+        *("chain", "channel_health", "channel_substitution", "controls", "decoder", "frame_loss"),
+        *("map_readings", "person_brakes", "projection", "return_doubt"),
         "movement_check",
         *("ramp", "safety_gate", "shaping", "stop_ramp"),
         "replay.batch",

@@ -15,7 +15,7 @@ from app.calibration.vocabulary import DriveParameters
 from app.hardware.chair import receiver
 from app.hardware.shirt import frame_order
 from app.messages import FRESH_PERIODS
-from app.pipeline import chain, channel_health, loop, movement_check, opening, safety_gate
+from app.pipeline import chain, channel_health, frame_loss, loop, movement_check, opening, safety_gate
 from app.recording.format import LOST_AT_MOST
 from app.session import run_watch, screen_codes
 from app.store.access import sign_ins
@@ -30,7 +30,7 @@ NUMBERS = [
     ("S3", "for 100 ms: towards standstill", receiver.QUIET, 0.1),
     ("S3", "for 300 ms: disarmed", receiver.SILENT, 0.3),
     ("S4", "older than 50 ms", safety_gate.SHIRT_STALE, 0.05),
-    ("S4", "10 % lost in 1 s", (channel_health.LOSS_LIMIT, channel_health.LOSS_WINDOW), (0.1, 1.0)),
+    ("S4", "10 % lost in 1 s", (frame_loss.LOSS_LIMIT, frame_loss.LOSS_WINDOW), (0.1, 1.0)),
     ("S4", "older than 200 ms", safety_gate.SHIRT_SILENT, 0.2),
     ("S4", "losses for 1.5 s", safety_gate.LOSSY_LIMIT, 1.5),
     ("S4", "Below 60 Hz: 3 and 12 periods", safety_gate.shirt_limits(10.0), (0.3, 1.2)),

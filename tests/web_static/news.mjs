@@ -1,8 +1,8 @@
-// Which news concerns a page, without a page. Run by test_modules.py with the folder js.
+// Which news concerns a page, and what a page does after it, without a page. Run by test_modules.py with the folder js.
 import assert from "node:assert/strict";
 import { pathToFileURL } from "node:url";
 
-const { concerns } = await import(pathToFileURL(`${process.argv[2]}/live/news.js`));
+const { concerns, onNews } = await import(pathToFileURL(`${process.argv[2]}/live/news.js`));
 
 /** News as the server sends them: with null for an id that it does not name. */
 const news = (what, ids = {}) => ({ what, patient: null, session: null, trial: null, ...ids });
@@ -23,4 +23,20 @@ assert.equal(concerns(news("session", { patient: 1, session: 4 }), ofTrial), fal
 assert.equal(concerns({ what: "everything" }, ofTrial), true);
 assert.equal(concerns({ what: "everything" }, { what: [] }), true);
 assert.equal(concerns({ what: "sign-in" }, ofTrial), false);
+
+// After news, until the page is left; also after what came while it read its first answers.
+const page = (earlyNews) => ({ live: new EventTarget(), earlyNews });
+const say = ({ live }, detail) => live.dispatchEvent(Object.assign(new Event("changed"), { detail }));
+let times = 0;
+const [app, left] = [page([news("disk")]), new AbortController()];
+onNews(app, left.signal, ofTrial, () => times++);
+assert.equal(times, 0);
+say(app, news("trial", { trial: 9 }));
+say(app, news("trial", { trial: 8 }));
+assert.equal(times, 1);
+left.abort();
+say(app, news("trial", { trial: 9 }));
+assert.equal(times, 1);
+onNews(page([news("trial", { trial: 9 }), news("trial")]), new AbortController().signal, ofTrial, () => times++);
+assert.equal(times, 2);
 console.log("the conditions of news hold");

@@ -73,6 +73,9 @@ export class App extends TypedEvents {
   warning = null;
   /** Whether the drive page shows a running trial or drive: then it shows faults itself. */
   showsTrial = false;
+  /** What changed since the page that is about to be shown began to read. @type {import("./live/news.js").News[]} */
+  earlyNews = [];
+  #isShown = false;
   #leave = new AbortController();
   #shown = ""; // the address of the page that is shown
   /** @type {{floorplan: string, path: string} | null} the trial that the drive page shall start */
@@ -224,6 +227,8 @@ export class App extends TypedEvents {
     const leave = (this.#leave = new AbortController());
     const address = this.#readRoute();
     this.#shown = address;
+    this.#isShown = false;
+    this.earlyNews = [];
     const { page: name, rest } = this.route;
     this.dispatchEvent(new Event("route"));
     this.setSubject(null);
@@ -240,7 +245,10 @@ export class App extends TypedEvents {
     } catch (error) {
       if (!leave.signal.aborted) this.#failed(error);
     }
-    if (!leave.signal.aborted) this.#focusHeading();
+    if (leave.signal.aborted) return;
+    this.#isShown = true;
+    this.earlyNews = [];
+    this.#focusHeading();
   }
 
   /** The heading of a page that is shown has the focus, unless the page has given it to what it opened. */
@@ -357,6 +365,7 @@ export class App extends TypedEvents {
 
   /** @param {import("./live/news.js").News} news of what changed on the server */
   #changed(news) {
+    if (!this.#isShown) this.earlyNews.push(news);
     if (news.what === "sign-in") this.#whoAmI();
     if (news.what === "deletion" && this.subject && news.patient === this.subject.patient) this.#deleted(this.subject);
     const patient = this.session?.patient?.id;

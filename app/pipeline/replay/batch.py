@@ -20,10 +20,11 @@ from app.calibration.vocabulary import DriveParameters
 from app.faults import State
 from app.geometry import Twist
 from app.hardware.base import Chair
-from app.pipeline.channel_health import ChannelHealth, LossWindow
+from app.pipeline.channel_health import ChannelHealth
 from app.pipeline.channel_substitution import ChannelSubstitution, Surprise
 from app.pipeline.controls import Controls
 from app.pipeline.decoder import LONGEST_GAP, Decoder
+from app.pipeline.frame_loss import LossWindow
 from app.pipeline.projection import Projections, projections
 from app.pipeline.ramp import Ramp
 from app.pipeline.return_doubt import ReturnDoubt

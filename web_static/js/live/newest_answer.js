@@ -1,6 +1,6 @@
 /** What the server answers to a question that a page asks again after news that concerns it. */
 import { signal } from "../preact.js";
-import { concerns } from "./news.js";
+import { onNews } from "./news.js";
 
 /**
  * A signal of the newest answer: a late answer to an earlier question changes nothing, nor does a failure, nor null.
@@ -13,15 +13,10 @@ import { concerns } from "./news.js";
 export function newestAnswer(app, left, first, ask, interest) {
   const newest = signal(first);
   let questions = 0;
-  app.live.addEventListener(
-    "changed",
-    async ({ detail }) => {
-      if (!concerns(detail, interest)) return;
-      const question = ++questions;
-      const answer = await ask().catch(() => null);
-      if (answer && question === questions) newest.value = answer;
-    },
-    { signal: left },
-  );
+  onNews(app, left, interest, async () => {
+    const question = ++questions;
+    const answer = await ask().catch(() => null);
+    if (answer && question === questions) newest.value = answer;
+  });
   return newest;
 }

@@ -25,5 +25,15 @@ export function concerns(news, interest) {
   return interest.what.includes(news.what) && IDS.every((name) => mayBeSame(news[name], interest[name]));
 }
 
+/**
+ * Do it after each news that concerns a page; also now, if some came while the page read its first answers.
+ * @param {import("../main.js").App} app @param {AbortSignal} left of the page
+ * @param {Interest} interest @param {() => unknown} act
+ */
+export function onNews(app, left, interest, act) {
+  app.live.addEventListener("changed", ({ detail }) => void (concerns(detail, interest) && act()), { signal: left });
+  if (app.earlyNews.some((news) => concerns(news, interest))) act();
+}
+
 /** @param {number | null | undefined} id @param {number | undefined} wanted */
 const mayBeSame = (id, wanted) => !id || !wanted || id === wanted;

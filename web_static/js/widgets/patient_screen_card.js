@@ -5,7 +5,7 @@
  * @typedef {Awaited<ReturnType<typeof screenStore>>} ScreenStore
  */
 import { giveFocus, passFocus } from "../focus.js";
-import { concerns } from "../live/news.js";
+import { onNews } from "../live/news.js";
 import { Fragment, h, signal, useLayoutEffect, useOpening, useRef, useSignal } from "../preact.js";
 import { t } from "../texts.js";
 import { copyText } from "./clipboard.js";
@@ -71,11 +71,7 @@ export async function screenStore(app, left) {
     app.toasts.attempt(async () => {
       code.value = await app.api.post("/patient-screen/pairing");
     });
-  app.live.addEventListener(
-    "changed",
-    ({ detail }) => void (concerns(detail, { what: ["screens", "session"] }) && read()),
-    { signal: left },
-  );
+  onNews(app, left, { what: ["screens", "session"] }, read);
   let session = app.session?.session?.id;
   const showSession = () => {
     if (app.session?.session?.id === session) return;

@@ -7,7 +7,7 @@
  * @typedef {Awaited<ReturnType<typeof adaptStore>>} AdaptStore
  */
 import { failureWords } from "../../api.js";
-import { concerns } from "../../live/news.js";
+import { onNews } from "../../live/news.js";
 import { signal } from "../../preact.js";
 import { t } from "../../texts.js";
 
@@ -88,14 +88,7 @@ export async function adaptStore(app, patient, left) {
     },
     { signal: left },
   );
-  app.live.addEventListener(
-    "changed",
-    ({ detail }) =>
-      void (
-        concerns(detail, { what: ["adaptation", "controls", "trial", "drive", "equipment"], patient }) && readAgain()
-      ),
-    { signal: left },
-  );
+  onNews(app, left, { what: ["adaptation", "controls", "trial", "drive", "equipment"], patient }, readAgain);
   const mayChange = app.me?.role !== "reviewer";
   return { view, maps, wanted, isBusy, problem, mayChange, choose, look, dismiss, apply, back };
 }

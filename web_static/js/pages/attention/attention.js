@@ -3,7 +3,7 @@
  * @import { AttentionView, PatientAttention } from "types/api"
  * @import { ComponentChildren } from "../../preact.js"
  */
-import { concerns } from "../../live/news.js";
+import { onNews } from "../../live/news.js";
 import { drawFoot, drawPage, Fragment, h, signal } from "../../preact.js";
 import { t } from "../../texts.js";
 import { Icon } from "../../widgets/icons.js";
@@ -51,12 +51,7 @@ export async function show(app, root, { signal: left }) {
       ),
     );
   };
-  app.live.addEventListener(
-    "changed",
-    ({ detail }) =>
-      concerns(detail, { what: ["trial", "comment", "record", "session", "deletion", "restoration"] }) && read(),
-    { signal: left },
-  );
+  onNews(app, left, { what: ["trial", "comment", "record", "session", "deletion", "restoration"] }, read);
   left.addEventListener("abort", () => clearTimeout(timer));
   drawPage(root, h(Page, {}), "body stack");
   drawFoot(

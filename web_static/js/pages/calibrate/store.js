@@ -10,7 +10,7 @@
  */
 import { beginNextTask } from "../drive/next_task.js";
 import { failureWords } from "../../api.js";
-import { concerns } from "../../live/news.js";
+import { onNews } from "../../live/news.js";
 import { computed, signal } from "../../preact.js";
 import { t } from "../../texts.js";
 import { runNow } from "../../widgets/cue_clock.js";
@@ -193,11 +193,7 @@ export function calibrationStore(app, patient, first, left) {
     if (now || !isRecording.value) moment.value = now; // where the run pauses between two messages, the cue stays
     requestAnimationFrame(followRun);
   };
-  app.live.addEventListener(
-    "changed",
-    ({ detail }) => void (concerns(detail, { what: ["calibration", "equipment"] }) && readAgain()),
-    { signal: left },
-  );
+  onNews(app, left, { what: ["calibration", "equipment"] }, readAgain);
   left.addEventListener("abort", stopTimer);
   followRun();
   readFound();

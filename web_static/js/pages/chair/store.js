@@ -4,7 +4,7 @@
  * @import { ParametersSummary, Speeds } from "types/api"
  * @import { LiveMessage } from "../../live/live.js"
  */
-import { concerns } from "../../live/news.js";
+import { onNews } from "../../live/news.js";
 import { computed, signal } from "../../preact.js";
 import { t } from "../../texts.js";
 import { boundGestures } from "./gesture_levels.js";
@@ -114,7 +114,7 @@ export function armingStore(app, first, onDrive, pageLeft) {
   };
   app.live.addEventListener("tick", follow, { signal: left });
   app.live.addEventListener("connection", ({ detail }) => void (isConnected.value = detail), { signal: left });
-  app.live.addEventListener("changed", ({ detail }) => concerns(detail, DECIDING) && look(), { signal: left });
+  onNews(app, left, DECIDING, look);
   const timer = setInterval(look, LOOK_EVERY);
   left.addEventListener("abort", () => clearInterval(timer));
   const signals = { reading, chair, isArming, gestures, reasons };

@@ -6,7 +6,7 @@
  * @typedef {Required<ControlSettings>} Settings
  */
 import { failureWords } from "../../api.js";
-import { concerns } from "../../live/news.js";
+import { onNews } from "../../live/news.js";
 import { computed, signal } from "../../preact.js";
 import { busyKind } from "../../shell/busy.js";
 import { OTHER_SESSION } from "../../shell/other_session.js";
@@ -182,11 +182,7 @@ export function controlsStore(app, first, left) {
     if (now.hash !== hash || now.obstacle?.message !== obstacle?.message) take(now);
   };
   app.live.addEventListener("tick", ({ detail }) => (live.value = detail), { signal: left });
-  app.live.addEventListener(
-    "changed",
-    ({ detail }) => concerns(detail, { what: ["controls", "equipment"] }) && readAgain().catch(() => null),
-    { signal: left },
-  );
+  onNews(app, left, { what: ["controls", "equipment"] }, () => readAgain().catch(() => null));
   app.addEventListener("drafts", ({ detail }) => timer && detail.push(t("controls-draft")), { signal: left });
   left.addEventListener("abort", () => (left.reason === OTHER_SESSION ? drop() : flush()));
   const signals = { view, settings, live, busy, labels, state, problem, suggestion };

@@ -2,7 +2,7 @@
  * A small link to what would change, or has changed, of the map after a trial; nothing while there is neither.
  * @import { AdaptationView, TrialDetail } from "types/api"
  */
-import { concerns } from "../../live/news.js";
+import { onNews } from "../../live/news.js";
 import { h, useSignal } from "../../preact.js";
 import { t } from "../../texts.js";
 import { useUntilGone } from "../../widgets/made.js";
@@ -15,11 +15,7 @@ export function AdaptLink({ app, trial, left }) {
       if (trial.patient_id !== app.session?.patient?.id) return;
       proposal.value = (await app.api.get("/adaptation").catch(() => null))?.proposal ?? null;
     };
-    app.live.addEventListener(
-      "changed",
-      ({ detail }) => void (concerns(detail, { what: ["adaptation"], patient: trial.patient_id }) && read()),
-      { signal },
-    );
+    onNews(app, signal, { what: ["adaptation"], patient: trial.patient_id }, read);
     read();
   });
   const now = proposal.value;

@@ -5,7 +5,7 @@
  * @typedef {{floorplan: string, path: string}} Place where to drive
  */
 import { AdaptLink } from "./adapt_link.js";
-import { concerns } from "../../live/news.js";
+import { onNews } from "../../live/news.js";
 import { h } from "../../preact.js";
 import { emptyPage, patientHere } from "../../shell/nobody.js";
 import { readTrial, showTrialOver } from "../../results/trial_over.js";
@@ -64,11 +64,7 @@ async function drive(app, root, running, where, signal) {
     const now = trials.find((one) => one.id === id);
     if (!signal.aborted && now && now.status !== "running") app.go(`#/drive/over/${id}`);
   };
-  app.live.addEventListener(
-    "changed",
-    ({ detail }) => concerns(detail, { what: ["trial"], trial: trial?.id }) && lookWhetherOver(),
-    { signal },
-  );
+  onNews(app, signal, { what: ["trial"], trial: running?.id }, lookWhetherOver);
   const view = showTrial(app, root, { plan, path, isVisitor }, signal);
   if (running) return view.begin(running);
   view.picture.ready.then(async () => {

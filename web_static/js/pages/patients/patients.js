@@ -7,7 +7,7 @@ import { ApiError } from "../../api.js";
 import { passFocus } from "../../focus.js";
 import { archiveImport } from "./archive_import.js";
 import { DeletionForm } from "./deletion_form.js";
-import { concerns } from "../../live/news.js";
+import { onNews } from "../../live/news.js";
 import { drawPage, Fragment, h, signal, useOpening, useSignal } from "../../preact.js";
 import { day, minuteOfDay } from "../../widgets/format.js";
 import { Icon } from "../../widgets/icons.js";
@@ -132,9 +132,7 @@ export async function show(app, root, { signal: left }) {
   );
   /** @type {import("../../live/news.js").Interest} */
   const interest = { what: ["session", "trial", "deletion", "restoration"] };
-  app.live.addEventListener("changed", ({ detail }) => void (concerns(detail, interest) && read().catch(() => null)), {
-    signal: left,
-  });
+  onNews(app, left, interest, () => read().catch(() => null));
   drawPage(
     root,
     h(

@@ -5,7 +5,7 @@
  * @import { CommentStore } from "./comments_card.js"
  */
 import { failureWords } from "../../api.js";
-import { concerns } from "../../live/news.js";
+import { onNews } from "../../live/news.js";
 import { replayPlan } from "../../plan/replay_plan.js";
 import { h } from "../../preact.js";
 import { readTrial, showTrialOver } from "../../results/trial_over.js";
@@ -29,11 +29,7 @@ export async function show(app, root, { signal: left, rest: [patient, , id] }) {
       const now = await app.api.get(`/trials/${id}`).catch(() => null);
       if (!left.aborted && now && now.status !== "running") app.show();
     };
-    app.live.addEventListener(
-      "changed",
-      ({ detail }) => void (concerns(detail, { what: ["trial"], trial: trial.id }) && lookWhetherOver()),
-      { signal: left },
-    );
+    onNews(app, left, { what: ["trial"], trial: trial.id }, lookWhetherOver);
     const title = t("review-running-title", { number: trial.number });
     return emptyPage(root, title, t("review-running-lead"), `#/review/${patient}`, t("review-back"));
   }

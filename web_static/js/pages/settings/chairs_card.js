@@ -4,7 +4,7 @@
  * @typedef {ChairsView["chairs"][number]} Chair
  */
 import { passFocus } from "../../focus.js";
-import { concerns } from "../../live/news.js";
+import { onNews } from "../../live/news.js";
 import { focusFirst, h, useLayoutEffect, useRef, useSignal } from "../../preact.js";
 import { t } from "../../texts.js";
 import { day, number } from "../../widgets/format.js";
@@ -29,15 +29,10 @@ export function ChairsCard({ app, first, isOwner, left }) {
   };
   const close = () => void (opened.value = null);
   useUntilGone(left, (signal) =>
-    app.live.addEventListener(
-      "changed",
-      async ({ detail }) => {
-        if (!concerns(detail, { what: ["equipment"] })) return;
-        const answer = await app.api.get("/chairs").catch(() => null);
-        if (answer) list.value = answer.chairs;
-      },
-      { signal },
-    ),
+    onNews(app, signal, { what: ["equipment"] }, async () => {
+      const answer = await app.api.get("/chairs").catch(() => null);
+      if (answer) list.value = answer.chairs;
+    }),
   );
   /** @param {Chair} chair */
   const unpair = (chair) => {

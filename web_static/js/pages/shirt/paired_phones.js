@@ -4,7 +4,7 @@
  * @import { ShirtStore } from "./store.js"
  */
 import { passFocus } from "../../focus.js";
-import { concerns } from "../../live/news.js";
+import { onNews } from "../../live/news.js";
 import { h, useOpening, useSignal } from "../../preact.js";
 import { t } from "../../texts.js";
 import { useUntilGone } from "../../widgets/made.js";
@@ -39,9 +39,7 @@ export function PairedPhones({ store: { app, left } }) {
       app.toasts.show(t("phones-unpaired", { number }));
     });
   useUntilGone(left, (gone) => {
-    app.live.addEventListener("changed", ({ detail }) => void (concerns(detail, INTEREST) && read()), {
-      signal: gone,
-    });
+    onNews(app, gone, INTEREST, read);
     read();
   });
   const phones = shown.value?.phones ?? [];

@@ -6,7 +6,7 @@
  */
 import { failureWords } from "../../api.js";
 import { movingNow } from "../../live/moving_channels.js";
-import { concerns } from "../../live/news.js";
+import { onNews } from "../../live/news.js";
 import { signal } from "../../preact.js";
 import { t } from "../../texts.js";
 import { replacedList } from "../../widgets/replaced_list.js";
@@ -53,11 +53,7 @@ export function shirtStore(app, first, kinds, left) {
   setState(first.status.message);
   app.live.addEventListener("quality", () => (follow(), setState(app.live.shirtWords)), { signal: left });
   app.addEventListener("session", follow, { signal: left });
-  app.live.addEventListener(
-    "changed",
-    ({ detail }) => void (concerns(detail, { what: ["equipment"] }) && read().catch(() => null)),
-    { signal: left },
-  );
+  onNews(app, left, { what: ["equipment"] }, () => read().catch(() => null));
   app.addEventListener("equipment", ({ detail }) => take(detail), { signal: left });
   const { ReplacedList } = replaced;
   return { app, left, kinds, equipment, live, sentence, moving, most, picked, ReplacedList, take, setUnused };
