@@ -261,6 +261,9 @@ def begins_session(story, source):
         row = page.get_by_role("listitem").filter(has_text=PATIENT)
         story.tap(row.get_by_role("button", name="Start session"))
         expect(page.locator(".who")).to_contain_text(PATIENT)
+        story.tap(page.get_by_role("link", name="Enter consent"))
+        story.tap(page.get_by_role("button", name="Enter consent: Recording"))
+        story.tap_rail("shirt")
     story.tap(story.foot.get_by_role("link", name="Calibrate"))
 
 

@@ -123,3 +123,9 @@ export function ofFull(share, unit) {
     ? `${number(100 * share, share !== 0 && Math.abs(share) < 0.1 ? 1 : 0)} ${unit}`
     : NONE;
 }
+
+/** Today, as an input of a date takes it. */
+export function today() {
+  const now = new Date();
+  return new Date(now.getTime() - now.getTimezoneOffset() * 60_000).toISOString().slice(0, 10);
+}

@@ -66,6 +66,7 @@ drive-body-recorded = Die aufgezeichneten Bewegungen einer Person fahren den Rol
 drive-body-patient = Der Patient fährt.
 drive-body-change = Ändern
 drive-camera = Selbst bewegen mit dieser Kamera
+drive-camera-hint = Was Sie tun, wird auf diesem Rechner aufgezeichnet und mit der Demonstration gelöscht; das Bild wird nicht aufgezeichnet.
 drive-plan-label = Grundriss von { $plan } mit der Strecke „{ $path }“
 task-path = Der Linie folgen
 task-follow = Folgen

@@ -65,6 +65,7 @@ drive-body-recorded = The recorded movements of a person drive the chair. They d
 drive-body-patient = The patient drives.
 drive-body-change = Change
 drive-camera = Move it yourself with this camera
+drive-camera-hint = What you do is recorded on this computer, and deleted with the demonstration; the picture is not recorded.
 drive-plan-label = Plan of { $plan } with the path “{ $path }”
 task-path = Follow the line
 task-follow = Follow

@@ -65,6 +65,7 @@ drive-body-recorded = Los movimientos grabados de una persona conducen la silla.
 drive-body-patient = Conduce el paciente.
 drive-body-change = Cambiar
 drive-camera = Muévala usted con esta cámara
+drive-camera-hint = Lo que hace se graba en este ordenador y se borra con la demostración; la imagen no se graba.
 drive-plan-label = Plano de { $plan } con el recorrido “{ $path }”
 task-path = Seguir la línea
 task-follow = Seguir

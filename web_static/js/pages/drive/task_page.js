@@ -16,6 +16,7 @@ import { screenWords } from "./screen_words.js";
 import { findTask, taskLink, taskWords } from "./task_words.js";
 import { chooseView } from "../../view/view_bar.js";
 import { canDrawIn3d } from "../../view/webgl.js";
+import { today } from "../../widgets/format.js";
 import { Made } from "../../widgets/made.js";
 import { t } from "../../texts.js";
 
@@ -137,7 +138,12 @@ function Foot({ store }) {
       app.me?.demo &&
         mayDrive &&
         shirt?.kind === "simulator" &&
-        h("button", { type: "button", class: "btn bare small", onClick: () => moveByCamera(app) }, t("drive-camera")),
+        h(
+          Fragment,
+          {},
+          h("button", { type: "button", class: "btn bare small", onClick: () => moveByCamera(app) }, t("drive-camera")),
+          h("span", { class: "quiet small" }, t("drive-camera-hint"), " "),
+        ),
       mayDrive &&
         !obstacle.value &&
         shirt?.kind === "simulator" &&
@@ -155,9 +161,14 @@ function Foot({ store }) {
   );
 }
 
-/** Take the camera of this device as the shirt, and show it. @param {App} app */
+/**
+ * Take the camera of this device as the shirt, and show it. Who taps, having read that it is recorded, consents to it.
+ * @param {App} app of a demonstration
+ */
 async function moveByCamera(app) {
+  const { patient, consents_to_recording: consents } = app.session ?? {};
   await app.toasts.attempt(async () => {
+    if (patient && !consents) await app.api.put(`/patients/${patient.id}/consents/recording`, { given: today() });
     await app.api.put("/equipment/shirt", { kind: "camera" });
     (await import("../../camera/camera.js")).startCamera();
     app.go("#/shirt");

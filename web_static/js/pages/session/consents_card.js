@@ -5,8 +5,7 @@
 import { focusFirst, h, useRef } from "../../preact.js";
 import { t } from "../../texts.js";
 import { Field } from "../../widgets/fields.js";
-import { day } from "../../widgets/format.js";
-import { today } from "./scales_card.js";
+import { day, today } from "../../widgets/format.js";
 import { mayWrite } from "./store.js";
 
 /** @param {{app: import("../../main.js").App, view: ConsentsView, onChange: (now: ConsentsView) => void}} card */

@@ -8,7 +8,7 @@ import { h, useRef, useSignal } from "../../preact.js";
 import { textLimits } from "../../reference.js";
 import { t } from "../../texts.js";
 import { Field } from "../../widgets/fields.js";
-import { day, unrounded } from "../../widgets/format.js";
+import { day, today, unrounded } from "../../widgets/format.js";
 import { ScrollTable, TableHead } from "../../widgets/scroll_table.js";
 
 /** @param {{store: RecordStore}} card */
@@ -103,10 +103,4 @@ function NewScale({ store: { app, record, mayChange, change } }) {
     h("p", { class: "problem", role: "alert" }, problem.value),
     h("div", { class: "spread" }, h("button", { class: "btn" }, t("record-scale-add"))),
   );
-}
-
-/** Today, as an input of a date takes it. */
-export function today() {
-  const now = new Date();
-  return new Date(now.getTime() - now.getTimezoneOffset() * 60_000).toISOString().slice(0, 10);
 }
