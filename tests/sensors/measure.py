@@ -2,6 +2,7 @@
 
 import math
 import socket
+import tempfile
 import threading
 import time
 from collections.abc import Callable, Iterator
@@ -163,6 +164,16 @@ def measure(
     measured.junk = subject.junk(folder, junk)
     measured.second = subject.second(folder)
     return measured
+
+
+def measurement(subject: Subject, seconds: float, cuts: int, junk: int) -> Measured:
+    """Measure one driver; what ends the measurement stands in the answer, so that the others are measured."""
+    try:
+        with tempfile.TemporaryDirectory() as folder:
+            return measure(subject, seconds, cuts, junk, Path(folder))
+    except Exception as error:
+        failure = f"{type(error).__name__}: {error}"
+        return Measured(subject.title, subject.what, subject.rate, seconds, failure=failure)
 
 
 def cut_off(reading: ReadShirt, ask: Any, subject: Subject) -> float | None:
