@@ -13,7 +13,7 @@ from pathlib import Path
 
 import numpy as np
 from sensors.measure import Measured, measurement
-from sensors.subjects import SUBJECTS, Subject
+from sensors.subjects import SUBJECTS
 from sources_tried.figures import line, section_of
 
 from app.lsl_library import LSL_MISSING, load_lsl
