@@ -25,7 +25,6 @@ pytestmark = pytest.mark.browser
 
 SIZES = {"tablet on its side": (1024, 768), "tablet upright": (820, 1180)}
 SMALL = (640, 480)
-COARSE = 0.5  # of a tablet's pixels, each way
 FIRST_PICTURE = 30  # s; the application, too, loads the view anew when its first picture does not come
 LOADS = 4
 # Far above the second after which a page speaks up: software may need seconds for one picture on a busy machine.
@@ -45,8 +44,8 @@ def log(app, page_log):
 
 @pytest.fixture(scope="module")
 def open_view(app, browser, log, until):
-    def opened(size, role="clinician", **options):
-        page = log.watch(browser.new_page(viewport=dict(zip(("width", "height"), size, strict=True)), **options))
+    def opened(size, role="clinician"):
+        page = log.watch(browser.new_page(viewport=dict(zip(("width", "height"), size, strict=True))))
         for _ in range(LOADS):
             page.goto(f"{app.address}/view/{role}/")
             with suppress(AssertionError):
@@ -80,7 +79,7 @@ def picture(page):
 
 def test_on_a_tablet_every_view_draws_a_bright_picture_and_the_plots_leave_most_of_it(app, open_view, log, until):
     """In one page: software loads a large view, and draws it for as long as it is open, at the cost of other tests."""
-    page = open_view(SIZES["tablet on its side"], device_scale_factor=COARSE)
+    page = open_view(SIZES["tablet on its side"])
     every_view_draws_a_bright_picture(app, page, until)
     the_plots_are_closed_until_asked_for_and_leave_most_of_the_picture(app, page, until)
     log.assert_clean()
