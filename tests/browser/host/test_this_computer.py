@@ -1,5 +1,6 @@
 """The page "This computer" in a real browser: measured by its owner, with the pictures a second of two pages."""
 
+import json
 import re
 
 import pytest
@@ -36,7 +37,7 @@ def photograph_both(page, name):
 def measure_for_less(route):
     """Pass on what a page asks for, with less time."""
     assert route.request.post_data_json == {"seconds": 10}
-    route.continue_(post_data={"seconds": SHORTER})
+    route.continue_(post_data=json.dumps({"seconds": SHORTER}))
 
 
 def test_the_owner_measures_this_computer_and_the_open_screens(opened, served):
