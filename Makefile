@@ -60,7 +60,12 @@ browser: $(VENV)/.installed-test
 	$(BIN)/python -m pytest $(SIDE_BY_SIDE) $(call AT_MOST,2) -m long $(BROWSERS)
 
 check: $(VENV)/.installed-test node_modules/.installed
-	@$(MAKE) --no-print-directory --jobs 2 --output-sync=target python-types lint javascript-types
+	@$(MAKE) --no-print-directory --jobs 2 --output-sync=target python-types lint javascript-types $(VENV)/.compiled
+
+# Once after the installation, beside the check of types: otherwise each process of the first tests compiles everything.
+$(VENV)/.compiled: $(VENV)/.installed-test
+	@$(BIN)/python -m pytest -qq --collect-only >$@.part || { cat $@.part; rm $@.part; false; }
+	@mv $@.part $@
 
 lint: $(VENV)/.installed-test node_modules/.installed
 	$(BIN)/ruff check .

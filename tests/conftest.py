@@ -20,6 +20,7 @@ from app.store.database import Database
 from building import make_ring
 from small_profile import small_profile
 
+gc.disable()  # until all tests are collected: what is imported stays
 os.environ["LC_ALL"] = "C.UTF-8"  # the command line writes English, whatever the language of the terminal is
 settings.register_profile("bodydrive", deadline=None, derandomize=os.environ.get("CI") == "true")
 settings.load_profile("bodydrive")
@@ -44,6 +45,7 @@ def pytest_collection_finish() -> None:
     """Let garbage be looked for among what the tests make: the millions of objects that are there now stay anyway."""
     gc.collect()
     gc.freeze()
+    gc.enable()
 
 
 @pytest.fixture(autouse=True)

@@ -24,6 +24,13 @@ def asked(dependant: Dependant) -> Iterator[Any]:
         yield from asked(below)
 
 
+def needed_query(dependant: Dependant) -> Iterator[str]:
+    """Yield the names in the query that a route cannot be asked without."""
+    yield from (field.alias for field in dependant.query_params if field.field_info.is_required())
+    for below in dependant.dependencies:
+        yield from needed_query(below)
+
+
 def contexts(app: FastAPI, kind: type) -> list[Any]:
     """Return all routes of a kind as they are reached, those of included routers too; each has a path and methods."""
     return [context for context in iter_route_contexts(app.routes) if isinstance(context.original_route, kind)]

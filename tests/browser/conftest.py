@@ -1,5 +1,6 @@
 """A real browser, and what it must not do: report an error, or ask another machine for anything."""
 
+import re
 import shlex
 import shutil
 import time
@@ -20,6 +21,7 @@ from playwright.sync_api import (
     Browser,
     BrowserContext,
     ConsoleMessage,
+    Frame,
     Page,
     Playwright,
     Request,
@@ -44,6 +46,8 @@ CHROMIUM = (
     "--disable-sync",
     "--no-first-run",
 )
+# No other machine is reached, by whatever name or address: a request to one fails.
+THIS_MACHINE_ONLY = "--host-resolver-rules=MAP * ~NOTFOUND, EXCLUDE 127.0.0.1, EXCLUDE localhost"
 
 # Chromium without windows passes the same pages in a seventh less time than the whole of it with its windows hidden.
 PROGRAM = shutil.which("chromium-headless-shell") or shutil.which("chromium")
@@ -87,11 +91,17 @@ class FewPicturesBrowser:
 
 
 CONTINUE = "/api/v1/control/clear"
+FORBIDDEN = re.compile(r"'((?:https?|wss?)://[^' ]+)'")  # the address in what the browser says of a content policy
 
 
 @dataclass
 class PageLog:
-    """What a page did that it should not have."""
+    """What a page did that it should not have.
+
+    A request elsewhere is seen as what becomes of it: the browser refuses it because of the page's content policy, or
+    it fails (`THIS_MACHINE_ONLY`), or it leads a frame elsewhere. To be told of each request of a page that loads more
+    than a hundred files would take a fifth of the time to open it.
+    """
 
     host: str
     errors: list[str] = field(default_factory=list)
@@ -101,7 +111,8 @@ class PageLog:
         """Keep a page's console errors, uncaught errors and requests to other hosts."""
         page.on("console", self._console)
         page.on("pageerror", lambda error: self.errors.append(f"uncaught: {error.stack or error}"))
-        page.on("request", self._request)
+        page.on("requestfailed", self._request)
+        page.on("framenavigated", self._navigated)
         page.on("websocket", lambda socket: self._reached(socket.url))
         return page
 
@@ -126,9 +137,15 @@ class PageLog:
     def _console(self, message: ConsoleMessage) -> None:
         if message.type == "error":
             self.errors.append(f"{message.text} {message.location['url']}".rstrip())
+            if "Content Security Policy" in message.text:
+                for url in FORBIDDEN.findall(message.text):
+                    self._reached(url)
 
     def _request(self, request: Request) -> None:
         self._reached(request.url)
+
+    def _navigated(self, frame: Frame) -> None:
+        self._reached(frame.url)
 
     def _reached(self, url: str) -> None:
         parts = urlsplit(url.removeprefix("blob:"))
@@ -146,8 +163,9 @@ set -- nice -n {niceness} {program} "$@" "--disable-features={unseen}$off"
 exec "$@"
 """
 # With each window, also one that is never shown, Chromium loads two pages that stand below its address line: that takes
-# longer than to load ours. Chromium reads the last list of features that are off, so that of Playwright is in it, too.
-UNSEEN = "WebUIOmniboxPopup,WebUIOmniboxAimPopup"
+# longer than to load ours. For each context it starts a process for a next page, which most tests do not open. Chromium
+# reads the last list of features that are off, so that of Playwright is in it, too.
+UNSEEN = "WebUIOmniboxPopup,WebUIOmniboxAimPopup,SpareRendererForSitePerProcess"
 
 
 def modest(program: str, folder: Path) -> Path:
@@ -180,7 +198,7 @@ class StartedOnce:
             assert PROGRAM is not None
             folder = self._ends.enter_context(TemporaryDirectory())
             self._chromium = self.playwright().chromium.launch(
-                executable_path=modest(PROGRAM, Path(folder)), args=list(CHROMIUM)
+                executable_path=modest(PROGRAM, Path(folder)), args=[*CHROMIUM, THIS_MACHINE_ONLY]
             )
             self._ends.callback(self._chromium.close)
         return self._chromium

@@ -7,7 +7,7 @@ from importlib.util import find_spec
 from pathlib import Path
 from typing import Any
 
-from browser.conftest import CHROMIUM, PATIENCE, PROGRAM, modest
+from browser.conftest import CHROMIUM, PATIENCE, PROGRAM, THIS_MACHINE_ONLY, modest
 from PIL import Image
 from playwright.sync_api import Browser, Playwright, expect
 
@@ -59,7 +59,8 @@ def own_browser(playwright: Playwright, folder: Path, *words: str) -> Iterator[B
     """Yield a browser that is started with more words than others; `folder` takes the program that starts it."""
     program = PROGRAM or need("chromium", "chromium")
     expect.set_options(timeout=PATIENCE)
-    chromium = playwright.chromium.launch(executable_path=modest(program, folder), args=[*CHROMIUM, *words])
+    arguments = [*CHROMIUM, THIS_MACHINE_ONLY, *words]
+    chromium = playwright.chromium.launch(executable_path=modest(program, folder), args=arguments)
     try:
         yield chromium
     finally:

@@ -21,6 +21,7 @@ from playwright.sync_api import expect
 pytestmark = [pytest.mark.browser]
 
 LOOKS = {"light": "1280x800", "dark": "768x1024"}
+FEW_PIXELS = "640x800"  # software draws few pixels of a 3D view faster
 VIEW = "document.querySelector('.view iframe').contentWindow"
 LOSE = f"""() => {{
   const view = {VIEW};
@@ -43,7 +44,8 @@ def opened(demo, open_page):
 
     def open_address(address, scheme="light", *, webgl=True):
         script = "" if webgl else WITHOUT_WEBGL
-        page = open_page(address, LOOKS[scheme], script=script, in_3d=True, color_scheme=scheme)
+        size = FEW_PIXELS if webgl else LOOKS[scheme]
+        page = open_page(address, size, script=script, in_3d=True, color_scheme=scheme)
         page.keep = lambda name: keep(page, f"{scheme}-{name}")
         pages.append(page)
         return page

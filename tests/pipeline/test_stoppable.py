@@ -37,7 +37,9 @@ from building import make_profile
 
 pytestmark = pytest.mark.uncompiled  # a chain is copied to look at what it would do
 
-RATE = 100.0
+RATE = 100.0  # Hz
+# Every case has half as many frames as the shirt sends; in `make drills` it has all of them.
+RATES = (50.0, pytest.param(RATE, marks=pytest.mark.long))
 TREMBLE = 1e-6  # signal units of noise, so that no channel is constant
 PROFILE = make_profile(n_channels=8).model_copy(update={"noise": (TREMBLE,) * 8})  # two channels a joint
 REST = np.zeros(8)
@@ -101,9 +103,10 @@ def parameters_of(bound, feature, modes):
 class Person:
     """A chain and a person, some of whose joints the shirt no longer senses."""
 
-    def __init__(self, parameters):
+    def __init__(self, parameters, rate=RATE):
         self.parameters = parameters
-        self.chain = Chain(RATE, parameters, VirtualChair(None, Pose(0.0, 0.0, 0.0)))
+        self.rate = rate
+        self.chain = Chain(rate, parameters, VirtualChair(None, Pose(0.0, 0.0, 0.0)))
         self.gestures = {gesture.name: gesture for gesture in parameters.gestures}
         self.posture = dict.fromkeys((joint.name for joint in PROFILE.joints), 0.0)  # FS
         self.broken = frozenset()
@@ -117,10 +120,10 @@ class Person:
         for joint, posture in self.posture.items():
             gesture = wishes.get(joint)
             if gesture and gesture.feature == "rate":
-                self.posture[joint] = posture + gesture.direction * STROKE / RATE
+                self.posture[joint] = posture + gesture.direction * STROKE / self.rate
             elif self.parameters.gestures[0].feature == "displacement":
                 wish = gesture.direction * STROKE if gesture else 0.0
-                self.posture[joint] = posture + max(-10 / RATE, min(10 / RATE, wish - posture))
+                self.posture[joint] = posture + max(-10 / self.rate, min(10 / self.rate, wish - posture))
         return self._tick()
 
     def _tick(self):
@@ -134,13 +137,13 @@ class Person:
                 values[channels] += posture * FULL[joint]
             if joint in self.broken:
                 values[channels[0]] = math.nan
-        t = self.steps / RATE
+        t = self.steps / self.rate
         self.steps += 1
         return self.chain.step(SensorFrame(self.steps, t, t, values), t, Conditions())
 
     def for_seconds(self, seconds, *names):
         """Make gestures for so long, and return the last tick's speeds."""
-        for _ in range(round(seconds * RATE)):
+        for _ in range(round(seconds * self.rate)):
             tick = self.make(*names)
         return tick
 
@@ -156,12 +159,12 @@ class Person:
         """Return whether these gestures, of a copy of this person, bring the chair to rest or make the gate stop it."""
         other = self.twin()
         before = speeds(self.chain)
-        for step in range(round(BRAKING * RATE)):
+        for step in range(round(BRAKING * self.rate)):
             other.make(*names)
             pairs = list(zip(speeds(other.chain), before, strict=True))
             if all(now * then <= 0.0 for now, then in pairs):
                 return True
-            if step == round(NO_BRAKE * RATE) and all(abs(now) >= abs(then) for now, then in pairs):
+            if step == round(NO_BRAKE * self.rate) and all(abs(now) >= abs(then) for now, then in pairs):
                 return False
         return False
 
@@ -183,12 +186,12 @@ def speeds(chain):
     return chain.gate.last.v, chain.gate.last.omega
 
 
-def moving_along(direction, bound, parameters):
+def moving_along(direction, bound, parameters, rate=RATE):
     """Return a person whose chair moves in this direction; None when the gate lets it not begin."""
-    person = Person(parameters)
+    person = Person(parameters, rate)
     person.chain.arm()
     person.for_seconds(0.7)
-    for _ in range(round(0.5 * RATE)):
+    for _ in range(round(0.5 * rate)):
         tick = person.make(*bound[direction])
     if tick.state is State.FAULT:
         assert speeds(person.chain) == (0.0, 0.0)
@@ -197,14 +200,14 @@ def moving_along(direction, bound, parameters):
     return person
 
 
-def cases_of(vocabulary, feature):
+def cases_of(vocabulary, feature, rate):
     """Yield each pair of modes, direction and set of broken joints, with a person whose chair moves like that."""
     bound = VOCABULARIES[vocabulary]
     for modes in itertools.product(MODES, repeat=2):
         parameters = parameters_of(bound, feature, modes)
         joints = sorted({gesture.joint for gesture in parameters.gestures})
         for direction in (control for control in DIRECTIONS if control in bound):
-            start = moving_along(direction, bound, parameters)
+            start = moving_along(direction, bound, parameters, rate)
             for count in range(len(joints) + 1) if start else ():
                 for broken in itertools.combinations(joints, count):
                     person = start.twin()
@@ -212,13 +215,14 @@ def cases_of(vocabulary, feature):
                     yield (modes, direction, broken), person
 
 
+@pytest.mark.parametrize("rate", RATES)
 @pytest.mark.parametrize("vocabulary", VOCABULARIES)
 @pytest.mark.parametrize("feature", get_args(Feature))
-def test_what_moves_is_stopped_by_the_person_or_by_the_gate(vocabulary, feature):
+def test_what_moves_is_stopped_by_the_person_or_by_the_gate(vocabulary, feature, rate):
     unstoppable, went_on = [], 0
     stop = VOCABULARIES[vocabulary].get("stop", ())
     ways = list(dict.fromkeys([(), *((name,) for bound in VOCABULARIES[vocabulary].values() for name in bound), stop]))
-    for case, person in cases_of(vocabulary, feature):
+    for case, person in cases_of(vocabulary, feature, rate):
         tick = person.for_seconds(STOPPED_WITHIN)
         if tick.state is State.FAULT:
             person.for_seconds(STOP_TIME)
@@ -286,15 +290,16 @@ def test_a_broken_accelerator_leaves_the_brake_to_the_person():
 STUCK_IN = ("paper", "paper, stop of other joints", "one joint both ways")
 
 
+@pytest.mark.parametrize("rate", RATES)
 @pytest.mark.parametrize("vocabulary", STUCK_IN)
 @pytest.mark.parametrize("feature", get_args(Feature))
 @pytest.mark.parametrize("modes", list(itertools.product(MODES, repeat=2)))
-def test_what_is_stuck_with_a_bit_of_noise_is_found_and_stopped(feature, vocabulary, modes):
+def test_what_is_stuck_with_a_bit_of_noise_is_found_and_stopped(feature, vocabulary, modes, rate):
     bound = VOCABULARIES[vocabulary]
     parameters = parameters_of(bound, feature, modes)
     ways = [(), *dict.fromkeys(bound.values())]
     for direction in (control for control in DIRECTIONS if control in bound):
-        start = moving_along(direction, bound, parameters)
+        start = moving_along(direction, bound, parameters, rate)
         for joint in sorted({gesture.joint for gesture in parameters.gestures}) if start else ():
             for posture in (start.posture[joint], 0.0, 0.7):
                 person = start.twin()

@@ -12,8 +12,8 @@ from multiprocessing import get_context
 from pathlib import Path
 
 import numpy as np
-from sensors.measure import Measured, measure
-from sensors.subjects import SUBJECTS, Subject
+from sensors.measure import Measured, measurement
+from sensors.subjects import SUBJECTS
 from sources_tried.figures import line, section_of
 
 from app.lsl_library import LSL_MISSING, load_lsl
@@ -69,7 +69,7 @@ def main() -> int:
     with tempfile.TemporaryDirectory() as folder, ExitStack() as ended:
         left_out = [] if keep_lsl_local(Path(folder)) else ["LSL"]
         subjects = [one for one in SUBJECTS if one.title in given.only and one.title not in left_out]
-        each = partial(measured, seconds=given.seconds, cuts=given.cuts, junk=given.junk)
+        each = partial(measurement, seconds=given.seconds, cuts=given.cuts, junk=given.junk)
         side_by_side: Callable[..., Iterable[Measured]] = map
         if given.jobs > 1:  # each driver in a process of its own, whose processor time is its own
             pool = ProcessPoolExecutor(given.jobs, get_context("spawn"), max_tasks_per_child=1)
@@ -83,15 +83,6 @@ def main() -> int:
         written = page(found, left_out, given)
         given.out.write_text(written + driven, encoding="utf-8")
     return 0 if all(map(is_kept, found)) else 1
-
-
-def measured(subject: Subject, seconds: float, cuts: int, junk: int) -> Measured:
-    """Measure one driver; what ends the measurement stands in the answer, so that the others are measured."""
-    try:
-        with tempfile.TemporaryDirectory() as folder:
-            return measure(subject, seconds, cuts, junk, Path(folder))
-    except Exception as error:
-        return Measured(subject.title, subject.what, subject.rate, seconds, failure=f"{type(error).__name__}: {error}")
 
 
 def keep_lsl_local(folder: Path) -> bool:

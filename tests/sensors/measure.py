@@ -2,11 +2,13 @@
 
 import math
 import socket
+import tempfile
 import threading
 import time
 from collections.abc import Callable, Iterator
 from contextlib import contextmanager
 from dataclasses import dataclass, field
+from functools import partial
 from multiprocessing import get_context
 from pathlib import Path
 from typing import Any
@@ -126,14 +128,15 @@ def measure(
     measured = Measured(subject.title, subject.what, subject.rate, seconds)
     clock = MonotonicClock()
     ours, theirs = socket.socketpair()
-    with ours, theirs, far_end_of(subject, theirs, folder, apart=apart) as ask, opened(subject.shirt(folder)) as shirt:
+    with ours, theirs, far_end_of(subject, theirs, folder, apart=apart) as told, opened(subject.shirt(folder)) as shirt:
         reading = ReadShirt(shirt, ours)
+        ask = partial(told, reading.read)
         ask("go", getattr(shirt, "address", None))
         reading.read_until(shows_time(subject), "no frame shows its time")
         ask("move")
         reading.read_for(SETTLING)
         ages = list[float]()
-        first, sent = reading.frames, ask("count")
+        sent, first = ask("count"), reading.frames
         began, worked, shown_count = clock.now(), time.process_time(), 0
         while clock.now() - began < seconds or shown_count < least:
             assert clock.now() - began < seconds + PATIENCE, f"too few frames: {shirt.description()}"
@@ -163,6 +166,16 @@ def measure(
     return measured
 
 
+def measurement(subject: Subject, seconds: float, cuts: int, junk: int) -> Measured:
+    """Measure one driver; what ends the measurement stands in the answer, so that the others are measured."""
+    try:
+        with tempfile.TemporaryDirectory() as folder:
+            return measure(subject, seconds, cuts, junk, Path(folder))
+    except Exception as error:
+        failure = f"{type(error).__name__}: {error}"
+        return Measured(subject.title, subject.what, subject.rate, seconds, failure=failure)
+
+
 def cut_off(reading: ReadShirt, ask: Any, subject: Subject) -> float | None:
     """Cut a driver off until it is silent; return how long (s) after the end of the cut it has a frame again.
 
@@ -184,7 +197,11 @@ def shows_time(subject: Subject) -> Callable[[Any], bool]:
 
 @contextmanager
 def far_end_of(subject: Subject, link: socket.socket, folder: Path, *, apart: bool) -> Iterator[Any]:
-    """Run the far end of a driver; yield what tells it something and returns how many samples it has sent."""
+    """Run the far end of a driver; yield what tells it something and returns how many samples it has sent.
+
+    What is yielded takes a function that reads the driver, for the time until the answer: a far end whose cable is full
+    waits for the reader, and answers nothing.
+    """
     if subject.far_end is None:
         yield lambda *_: 0
         return
@@ -194,17 +211,18 @@ def far_end_of(subject: Subject, link: socket.socket, folder: Path, *, apart: bo
     far_end = start(target=run, args=(subject.far_end, subject.rate, theirs, link, folder), daemon=True)
     far_end.start()
 
-    def answer() -> int:
-        assert ours.poll(ANSWER), f"the far end of {subject.title} does not answer"
+    def tell(read: Callable[[], object], *what: object) -> int:
+        ours.send(what)
+        until = time.monotonic() + ANSWER
+        while not ours.poll(0):
+            assert time.monotonic() < until, f"the far end of {subject.title} does not answer"
+            read()
         return ours.recv()
 
-    def ask(*what: object) -> int:
-        ours.send(what)
-        return answer()
-
-    answer()
+    assert ours.poll(ANSWER), f"the far end of {subject.title} does not start"
+    ours.recv()
     try:
-        yield ask
+        yield tell
     finally:
         ours.send(("end",))
         far_end.join(ANSWER)

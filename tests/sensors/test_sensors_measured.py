@@ -76,7 +76,7 @@ def test_a_driver_that_fails_is_a_row_and_the_others_are_measured(
     monkeypatch.setattr(command, "SUBJECTS", (Unplugged(), SUBJECTS[0]))
     out, driven = tmp_path / "page.md", f"{HEADING}A table of `make sources-tried`.\n"
     out.write_text(f"An earlier table.\n{driven}", encoding="utf-8")
-    monkeypatch.setattr(sys, "argv", ["sensors", "--seconds", "0.01", "--out", str(out)])
+    monkeypatch.setattr(sys, "argv", ["sensors", "--seconds", "0.01", "--jobs", "2", "--out", str(out)])
     assert command.main() == 1
     failed, measured = capsys.readouterr().out.splitlines()[2:]
     assert failed.startswith("| unplugged | no sensors | 100 | **HardwareError: no / such line** | – |")

@@ -33,7 +33,7 @@ def test_both_conditions_begin_alike_and_nothing_turns_that_loses_nothing() -> N
     assert [row.from_calibration_deg for row in (*fixed, *auto)] == [0.0] * 4
 
 
-@pytest.mark.parametrize(("kind", "tremor", "sessions"), [("guided", 0.015, 4), ("prior", 0.08, 5)])
+@pytest.mark.parametrize(("kind", "tremor", "sessions"), [("guided", 0.015, 3), ("prior", 0.08, 5)])
 def test_a_map_learnt_from_cues_or_from_other_people_is_followed_as_any_other(kind, tremor, sessions) -> None:
     learnt = calibrated_participant("steady", 5, kind)
     assert {joint.map for joint in learnt.profile.joints if joint.prompted or kind == "prior"} == {kind}

@@ -117,12 +117,11 @@ def test_each_sheet_is_loaded() -> None:
     assert [sheet.name for sheet in SHEETS if f'"css/{sheet.relative_to(STYLES).as_posix()}"' not in text] == []
 
 
-@pytest.mark.parametrize("sheet", SHEETS, ids=lambda sheet: sheet.stem)
-def test_a_class_of_a_style_is_one_of_an_element(sheet: Path) -> None:
+def test_a_class_of_a_style_is_one_of_an_element() -> None:
     entries = "".join(file.read_text() for file in static_folder().glob("*.html"))
     used = set().union(names(" ".join(re.findall(r'class="[^"]*"', entries))), *IN_STRINGS.values())
-    classes = {name for selector in selectors(sheet) for name in CLASS.findall(selector)}
-    assert classes - used - MADE.keys() == set()
+    classes = {(sheet.name, name) for sheet in SHEETS for one in selectors(sheet) for name in CLASS.findall(one)}
+    assert {(sheet, name) for sheet, name in classes if name not in used | MADE.keys()} == set()
 
 
 def test_a_class_that_is_made_has_a_style_and_stands_nowhere_else() -> None:
@@ -149,22 +148,26 @@ def test_colours_are_found() -> None:
     assert [each for each in (*found, *others, mixed) if COLOUR.search(each)] == [*found]
 
 
-@pytest.mark.parametrize("sheet", [each for each in SHEETS if each != TOKENS], ids=lambda sheet: sheet.stem)
-def test_a_colour_stands_in_the_tokens_alone(sheet: Path) -> None:
-    stated = [each for _, block in declarations(sheet.read_text()) for each in block]
-    assert [each for each in stated if COLOUR.search(each.partition(": ")[2])] == []
+def stated_elsewhere() -> Iterator[tuple[str, str]]:
+    """Yield the name of each sheet but that of the tokens, with each of its declarations."""
+    for sheet in SHEETS:
+        if sheet != TOKENS:
+            yield from ((sheet.name, each) for _, block in declarations(sheet.read_text()) for each in block)
 
 
-@pytest.mark.parametrize("sheet", [each for each in SHEETS if each != TOKENS], ids=lambda sheet: sheet.stem)
-def test_a_value_that_has_a_token_is_written_as_the_token(sheet: Path) -> None:
+def test_a_colour_stands_in_the_tokens_alone() -> None:
+    assert [(sheet, each) for sheet, each in stated_elsewhere() if COLOUR.search(each.partition(": ")[2])] == []
+
+
+def test_a_value_that_has_a_token_is_written_as_the_token() -> None:
     tokens = TOKEN.findall(COMMENT.sub("", TOKENS.read_text()))
+    stated = list(stated_elsewhere())
     again = []
     for kind, properties in WITH_TOKENS.items():
         values = {value for name, value in tokens if name.startswith(kind)}
         assert values
-        for _, block in declarations(sheet.read_text()):
-            for each in block:
-                name, _, value = each.partition(": ")
-                if properties.fullmatch(name) and values.intersection(NUMBER.findall(value)):
-                    again.append(each)
+        for sheet, each in stated:
+            name, _, value = each.partition(": ")
+            if properties.fullmatch(name) and values.intersection(NUMBER.findall(value)):
+                again.append((sheet, each))
     assert again == []

@@ -9,9 +9,6 @@ side at which a line begins or ends.
 import re
 from collections import Counter
 from collections.abc import Iterator
-from pathlib import Path
-
-import pytest
 
 from app.settings import static_folder
 
@@ -97,12 +94,12 @@ def test_blocks_are_found_below_their_at_rules() -> None:
     assert blocks(text) == ["a", "b, c", "@media (x)", "@media (x) / a", "@media (x) / a"]
 
 
-@pytest.mark.parametrize("sheet", SHEETS, ids=lambda sheet: sheet.stem)
-def test_a_selector_stands_once_in_a_sheet(sheet: Path) -> None:
+def test_a_selector_stands_once_in_a_sheet() -> None:
     # A block of @media stands beside what it changes, so that one condition may stand several times in a sheet.
-    selectors = [each for each in blocks(sheet.read_text()) if not each.rpartition(" / ")[2].startswith("@")]
-    assert selectors
-    assert [each for each, times in Counter(selectors).items() if times > 1] == []
+    for sheet in SHEETS:
+        selectors = [each for each in blocks(sheet.read_text()) if not each.rpartition(" / ")[2].startswith("@")]
+        assert selectors, sheet
+        assert [each for each, times in Counter(selectors).items() if times > 1] == [], sheet
 
 
 def test_a_layout_changes_at_the_widths_of_the_table_only() -> None:
@@ -139,10 +136,10 @@ def test_what_names_left_or_right_is_found() -> None:
     ]
 
 
-@pytest.mark.parametrize("sheet", SHEETS, ids=lambda sheet: sheet.stem)
-def test_no_style_names_left_or_right_where_it_means_the_side_at_which_a_line_begins(sheet: Path) -> None:
-    name = sheet.relative_to(static_folder() / "css").as_posix()
-    stays = {selector for sheets in PHYSICAL.values() for selector in sheets.get(name, [])}
-    found = list(physical(sheet.read_text()))
-    assert [each for each in found if each[0] not in stays and "" not in stays] == []
-    assert stays <= {selector for selector, _ in found} | {""}  # else: an exception that is none
+def test_no_style_names_left_or_right_where_it_means_the_side_at_which_a_line_begins() -> None:
+    for sheet in SHEETS:
+        name = sheet.relative_to(static_folder() / "css").as_posix()
+        stays = {selector for sheets in PHYSICAL.values() for selector in sheets.get(name, [])}
+        found = list(physical(sheet.read_text()))
+        assert [each for each in found if each[0] not in stays and "" not in stays] == [], name
+        assert stays <= {selector for selector, _ in found} | {""}, name  # else: an exception that is none

@@ -38,10 +38,10 @@ def test_each_text_of_a_bundled_document_has_a_message(document):
     assert texts - {text for place in places for text, _ in messages_in(place)} == set()
 
 
-@pytest.mark.parametrize("name", PLACES)
-def test_the_english_of_a_message_is_the_text_of_the_document(name):
-    assert [str(message) for _, message in messages_in(PLACES[name])] == [text for text, _ in messages_in(PLACES[name])]
-    assert plan_for_reader(PLACES[name].plan) == PLACES[name].plan
+def test_the_english_of_a_message_is_the_text_of_the_document():
+    for name, place in PLACES.items():
+        assert [str(message) for _, message in messages_in(place)] == [text for text, _ in messages_in(place)], name
+        assert plan_for_reader(place.plan) == place.plan, name
 
 
 def test_each_message_is_that_of_a_text():
@@ -50,14 +50,14 @@ def test_each_message_is_that_of_a_text():
 
 
 @pytest.mark.parametrize("language", LANGUAGES)
-@pytest.mark.parametrize("name", PLACES)
-def test_a_place_in_a_language_is_a_floor_plan(name, language):
+def test_the_places_in_a_language_are_floor_plans(language):
     """A text is short enough for its field, and one English text of a place has one translation."""
-    with reader_language(language):
-        shown = plan_for_reader(PLACES[name].plan)
-        words = {(text, str(message)) for text, message in messages_in(PLACES[name])}
-    FloorPlan.model_validate_json(shown.model_dump_json(), context=LINES_ARE_FREE)
-    assert len(words) == len(dict(words))
+    for name, place in PLACES.items():
+        with reader_language(language):
+            shown = plan_for_reader(place.plan)
+            words = {(text, str(message)) for text, message in messages_in(place)}
+        FloorPlan.model_validate_json(shown.model_dump_json(), context=LINES_ARE_FREE)
+        assert len(words) == len(dict(words)), name
 
 
 def test_a_bundled_place_is_shown_in_the_language_of_the_reader():

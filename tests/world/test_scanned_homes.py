@@ -17,6 +17,7 @@ from app.world.imports.plan_files import import_plan
 from folders import SHARED
 
 RESOLUTIONS = (0.02, 0.025, 0.03, 0.04, 0.05, 0.06, 0.08, 0.1)
+SEEDS = (0, 1, *(pytest.param(seed, marks=pytest.mark.long) for seed in (2, 3, 4)))
 
 
 def rooms_inside(plan, rooms):
@@ -36,7 +37,7 @@ def is_inside(plan, place):
 
 
 @pytest.mark.parametrize("resolution", RESOLUTIONS)
-@pytest.mark.parametrize("seed", range(5))
+@pytest.mark.parametrize("seed", SEEDS)
 def test_the_rooms_of_a_scanned_home_are_in_its_plan(tmp_path, seed, resolution):
     home = scanned_home(100 * seed + round(resolution * 1000), resolution)
     plan = plan_of(import_plan(write_map(home, tmp_path), Options()), "home.yaml")

@@ -36,6 +36,11 @@ def value_of(trial: Row, name: str) -> float | None:
     return float(value)
 
 
+def measured_in(rows: Rows) -> list[str]:
+    """Return the names of the measures that at least one of these trials has; no other one is known in any."""
+    return [name for name in TRIAL_MEASURES if any(row.get(name) is not None for row in rows)]
+
+
 def with_missed(name: str, values: Numbers, missed: NDArray[np.bool_]) -> Numbers:
     """Return values (n,) on their scale, those of trials that missed the goal replaced by a bound; NaN: none is known.
 

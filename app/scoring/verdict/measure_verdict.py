@@ -15,6 +15,7 @@ from app.scoring.verdict.measure_scales import (
     from_scale,
     least_spread,
     measure_of,
+    measured_in,
     to_scale,
     value_of,
     with_missed,
@@ -192,8 +193,9 @@ def people_variances(people: Mapping[int, Rows]) -> PeopleVariances:
     `people` are the rows of each person, as for `series_of`; who has too few trials is left out.
     """
     by_measure: PeopleVariances = {}
+    measured = {person: measured_in(rows) for person, rows in people.items()}
     for name in TRIAL_MEASURES:
-        series = {person: series_of(rows, name)[0] for person, rows in people.items()}
+        series = {person: series_of(people[person], name)[0] for person, names in measured.items() if name in names}
         series = {person: trials for person, trials in series.items() if len(trials.value)}
         if not series:
             continue

@@ -7,7 +7,7 @@ from app.scoring.measures import REACHED, TRIAL_MEASURES
 from app.scoring.verdict.detectable_change import LEVEL_OF_SESSIONS
 from app.scoring.verdict.deterioration import deteriorations
 from app.scoring.verdict.leading_measures import leading_of_task
-from app.scoring.verdict.measure_scales import Rows, value_of
+from app.scoring.verdict.measure_scales import Rows, measured_in, value_of
 from app.scoring.verdict.measure_verdict import FEWEST, ClinicSpreads, Verdict, difference_of, series_of, verdicts_on
 from app.scoring.verdict.reaching import counts_of, family_of, reaching_difference, reaching_verdict
 from app.scoring.verdict.spread import Series
@@ -88,7 +88,7 @@ def task_verdicts(rows: Rows, clinic: ClinicSpreads, names: Collection[str] = TR
     sessions = list(dict.fromkeys(row["session"] for row in rows if not row["familiarisation"]))
     if len(sessions) < 2:
         return TaskVerdicts(sessions=[], deterioration={})
-    all_series = {name: series_of(rows, name)[0] for name in TRIAL_MEASURES}
+    all_series = {name: series_of(rows, name)[0] for name in measured_in(rows)}
     compared = []
     for earlier in dict.fromkeys((sessions[-2], sessions[0])):
         pair = _count(rows, earlier), _count(rows, sessions[-1])

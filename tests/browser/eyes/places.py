@@ -170,7 +170,7 @@ PLACES: dict[str, Open] = {
     "people, link": steps(at("people", "New link for Ben"), shows("img.qr")),
     "log": at("log"),
     "first time": start_with(introduced=False),
-    "help": at("calibrate", "What is this page for?"),
+    "help": steps(at("calibrate", "What is this page for?"), shows(".page-help")),
     "computer": at("computer"),
     "computer, measured": computer_measured,
     "backup": at("backup"),

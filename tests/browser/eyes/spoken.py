@@ -8,7 +8,7 @@ from browser.script import script
 # Collects what live regions say: the text that is added to one, with how urgently. A region within another one that is
 # "off" is silent, and so is one that nobody sees.
 LISTEN = script("listen")
-QUIET = 1000  # ms in which nothing more may be said
+QUIET = 700  # ms in which nothing more may be said
 HEARD = "(words) => window.said.some(([, row]) => row.includes(words))"
 
 

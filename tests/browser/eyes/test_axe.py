@@ -28,6 +28,10 @@ KNOWN = """async () => {
   return [...Object.keys(PAGES), ...below];
 }"""
 
+# What the page has loaded, and the page itself.
+LOADED = """() => [...performance.getEntriesByType("navigation"), ...performance.getEntriesByType("resource")]
+  .map(({ name }) => name)"""
+
 BROKEN = """<!doctype html><html lang="en"><title>A page</title><main><h1>A page</h1>
 <p style="color:#999;background:#fff">Grey on white</p>
 <p style="background:linear-gradient(#fff,#eee)">On a gradient</p>
@@ -86,7 +90,6 @@ def test_one_size_and_theme_of_every_page(page, clinic):
     found = {}
     # The frames of "/" and of "/docs/", and one that shows nothing: pictures of a camera are read in it.
     addresses, loaded = set(), {"/index.html", "/docs.html", "/camera.html"}
-    page.on("request", lambda request: loaded.add(path_of(request.url)))
     page.emulate_media(reduced_motion="reduce")
     for number, (name, open_place) in enumerate(VISITED.items()):
         cells = cells_of(name)
@@ -94,6 +97,7 @@ def test_one_size_and_theme_of_every_page(page, clinic):
         look_as(page, cell, settle=0)
         open_place(page, clinic)
         page.wait_for_timeout(200)
+        loaded |= {path_of(url) for url in page.evaluate(LOADED)}
         found[name, *cell] = [str(one) for one in findings(page)] + small_targets(page) + keyboard_faults(page)
         found[name, "ids"] = shown_ids(page)
         found[name, "200 %"] = lost_when_enlarged(page)

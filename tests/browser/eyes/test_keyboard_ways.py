@@ -159,26 +159,6 @@ def test_a_reason_to_look_at_somebody_is_followed(page, clinic):
     expect(page.locator("main h1")).to_be_focused()
 
 
-def test_a_moment_of_a_trial_is_played_to_and_commented_on(page, clinic):
-    go(page, clinic, f"review/1/trial/{clinic.trials[0]}")
-    tab_to(page, "Moment of the trial")
-    for _ in range(3):
-        page.keyboard.press("ArrowRight")
-    moment = page.get_by_label("Moment of the trial").input_value()
-    press(page, "Comment on this moment")
-    assert "Comment at" in focused(page)
-    page.keyboard.type("The turn begins late.")
-    press(page, "Add the comment")
-    expect(page.locator(".comments")).to_contain_text("The turn begins late.")
-    assert focused(page) == "Comment on this moment"
-    assert page.get_by_label("Moment of the trial").input_value() == moment  # the replay stands where it was
-    press(page, "Revise or withdraw your comment", key="Enter")
-    assert "Comment at" in focused(page)
-    press(page, "Withdraw")
-    heading(page, "Comments").to_be_focused()
-    expect(page.locator(".comments")).not_to_contain_text("The turn begins late.")
-
-
 def test_the_two_minute_test_is_begun_ended_and_asked_about(page, clinic):
     PLACES["interface_test, runs"](page, clinic)
     press(page, "End the test")

@@ -14,7 +14,7 @@ from app.faults import Fault, State
 
 pytestmark = [pytest.mark.browser]
 
-A_WHILE = 1500  # ms in which nothing is said
+A_WHILE = 1000  # ms in which nothing is said
 LOOKS = 6  # of that time, until a page is silent; figures that change are said in each of them
 # The role of the notice of a page that has lost the program, without a cover over the page and with one.
 LOST_ROLES = script("lost_roles")

@@ -7,7 +7,6 @@ In that network, which nothing outside reaches, this program may give the machin
 
 import fcntl
 import json
-import shutil
 import socket
 import ssl
 import struct
@@ -19,7 +18,7 @@ from typing import Any
 sys.path.insert(0, str(Path(__file__).resolve().parents[2]))
 
 import httpx
-from browser.conftest import CHROMIUM
+from browser.conftest import CHROMIUM, PROGRAM
 from playwright.sync_api import Page, expect, sync_playwright
 from processes.host.served_lan import OWNER
 from processes.served_demo import bodydrive
@@ -78,7 +77,7 @@ def main(state: str) -> None:
         printed = [printed_until(process.stdout, ADDRESSES[0])]
         local, _, set_up_code = next(word for word in printed[0].split() if "#setup=" in word).partition("#setup=")
         root = httpx.get(f"http://{ADDRESSES[0]}/bodydrive-authority.crt").text
-        browser = playwright.chromium.launch(executable_path=shutil.which("chromium"), args=CHROMIUM)
+        browser = playwright.chromium.launch(executable_path=PROGRAM, args=CHROMIUM)
         page = browser.new_page()
         expect.set_options(timeout=PATIENCE)
         made = page.request.post(

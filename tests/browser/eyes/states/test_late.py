@@ -18,7 +18,7 @@ pytestmark = [pytest.mark.browser]
 NEWS = [News(what=what) for what in get_args(What) if what != "graphics"]
 DRAWN_WITHIN = 600  # ms; a page that is slower is looked at before it could go wrong
 OFTEN = ("patients", "calibrate", "calibrate, begin anew", "controls", "drive")  # what two tablets show at once
-MOST = 5  # controls of a page that are looked at, from its first to its last
+FEW, MOST = 3, 5  # controls of a page that are looked at, from its first to its last
 OPEN = "() => { for (const one of document.querySelectorAll('main details')) one.open = true; }"
 COUNT_OPEN = "() => document.querySelectorAll('main details[open]').length"
 NAME = """(one) => `${one.localName} "${
@@ -34,19 +34,20 @@ FOCUS = f"""(number) => {{
 }}"""
 
 
-def spread(count):
-    """Return the numbers of at most `MOST` of so many controls, from the first to the last."""
-    return sorted({round(number * (count - 1) / (MOST - 1)) for number in range(MOST)}) if count else []
+def spread(count, most):
+    """Return the numbers of at most `most` of so many controls, from the first to the last."""
+    return sorted({round(number * (count - 1) / (most - 1)) for number in range(most)}) if count else []
 
 
 @pytest.mark.parametrize(
-    "name", [pytest.param(name, marks=() if name in OFTEN else pytest.mark.long) for name in PLACES]
+    ("name", "most"),
+    [(name, FEW) for name in OFTEN] + [pytest.param(name, MOST, marks=pytest.mark.long) for name in PLACES],
 )
-def test_focus_and_what_is_open_stay(page, clinic, until, name):
+def test_focus_and_what_is_open_stay(page, clinic, until, name, most):
     PLACES[name](page, clinic)
     page.evaluate(OPEN)
     moved = {}
-    for number in spread(page.evaluate(f"({CONTROLS})().length")):
+    for number in spread(page.evaluate(f"({CONTROLS})().length"), most):
         before, opened = page.evaluate(FOCUS, number), page.evaluate(COUNT_OPEN)
         if before is None:  # it is covered by a dialog, or has just gone
             continue
