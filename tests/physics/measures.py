@@ -65,7 +65,7 @@ def outcome(cell: str, speeds: Speeds, samples: Numbers, ended: int, rest: Numbe
     """
     acceleration, jerk = felt(samples[:, COLUMNS["chest"]])
     loads = running_mean(samples[:, LOADS])
-    lifted = (loads < LIFTED).any(axis=1)
+    lifted: NDArray[np.bool_] = np.any(loads < LIFTED, axis=1)
     last = min(ended, len(samples) - 1)
     up = samples[:, COLUMNS["up"]][:, 2].clip(-1.0, 1.0)
     return Outcome(

@@ -7,10 +7,11 @@ import mujoco
 import numpy as np
 import pytest
 from physics.chair_model import COLUMNS, GRAVITY, SAMPLE_WIDTH, Floor, PhysicalChair
-from physics.commands import DT, receiver_twists
+from physics.commands import receiver_twists
 from physics.drives import CELLS, castor_drift, physical_course, random_drive
 from physics.measures import SAMPLES_PER_TICK, stop_of
 from physics.simulation import Simulation
+from pipeline.gates import DT
 
 from app.geometry import STANDSTILL, Twist
 
