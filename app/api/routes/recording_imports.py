@@ -13,12 +13,13 @@ from pydantic import ValidationError
 
 from app.api.deps import Clinician, Db, LivePart, ReadingsPart, ReplacedFilesPart
 from app.api.foreign_files import read_or_refuse, whole_sentence
-from app.api.page_session import OF_CLINIC, any_session
+from app.api.page_session import LOOKS, ClinicianInSession, any_session
 from app.api.routes.signal_uploads import MOST_SIGNAL_BYTES, harmless_name
 from app.layout import USUAL_JOINTS, Joint, joint_title
 from app.news import News
 from app.quantities import Document
 from app.sentences import one_sentence
+from app.session.page_session import require_page_session
 from app.signals.bids_motion import CHANNELS, SIDECAR
 from app.signals.import_options import ImportOptions, TimeUnit
 from app.signals.joint_names import WHOLE_BODY, joint_label
@@ -104,7 +105,7 @@ class Upload(NamedTuple):
 
 
 @router.post("/overview")
-@any_session(OF_CLINIC)
+@any_session(LOOKS)
 async def view_recording(
     files: list[UploadFile],
     _person: Clinician,
@@ -127,10 +128,9 @@ async def view_recording(
 
 
 @router.post("/import", status_code=201)
-@any_session(OF_CLINIC)
 async def import_recording(
     files: list[UploadFile],
-    person: Clinician,
+    person: ClinicianInSession,
     *,
     database: Db,
     replaced: ReplacedFilesPart,
@@ -152,6 +152,8 @@ async def import_recording(
             out = Path(folder, upload.stored_name)
             _read(upload, corrected, str(out))
             content = out.read_bytes()
+        with database.reading() as db:
+            require_page_session(db)  # another session may have begun while it was read
         try:
             name = replaced.put("file", upload.stored_name, content, same_name)
         except OSError as error:
