@@ -5,6 +5,7 @@ and the name that the column had.
 """
 
 from collections.abc import Mapping, Sequence
+from dataclasses import replace
 from pathlib import Path
 from typing import Any, Final, TypedDict
 
@@ -13,6 +14,7 @@ import numpy as np
 from app.signals.import_options import ImportOptions
 from app.signals.joint_names import channel_names, proposed_joints
 from app.signals.overview import ColumnOverview, FileOverview, overview
+from app.signals.parquet_names import MOST_NUMBERS
 from app.signals.signals import ReadingOptions, Signals
 from app.texts import Text, to_document
 
@@ -41,8 +43,10 @@ def answer(question: ImportQuestion) -> dict[str, object]:
     found = overview(Path(question["file"]), None, reading)
     candidates = _candidates(found.columns)
     joints = {**proposed_joints(candidates), **chosen}
+    if found.signals is not None and found.signals.values.size + len(found.signals.t) > MOST_NUMBERS:
+        found = replace(found, problem=Text("signals-numbers", file=question["file"], most=MOST_NUMBERS))
     if question["out"]:
-        if found.signals is None:
+        if found.signals is None or found.problem is not None:
             raise ValueError(found.problem)
         _write(Path(question["out"]), found, found.signals, joints)
     return {"recording": _document(found, joints)}
