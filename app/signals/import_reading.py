@@ -4,7 +4,9 @@ The Parquet file is a recording of this program: `t` in seconds, and columns JOI
 and the name that the column had.
 """
 
-from collections.abc import Mapping, Sequence
+import tempfile
+from collections.abc import Iterator, Mapping, Sequence
+from contextlib import contextmanager
 from dataclasses import replace
 from pathlib import Path
 from typing import Any, Final, TypedDict
@@ -40,7 +42,8 @@ def answer(question: ImportQuestion) -> dict[str, object]:
     options = ImportOptions.model_validate(question["options"])
     chosen = {channel.column: channel.joint for channel in options.channels or ()}
     reading = ReadingOptions(options.time, options.unit, options.rate, tuple(chosen) or None, options.part)
-    found = overview(Path(question["file"]), None, reading)
+    with _temporary_files_in(Path(question["file"]).parent):
+        found = overview(Path(question["file"]), None, reading)
     candidates = _candidates(found.columns)
     joints = {**proposed_joints(candidates), **chosen}
     if found.signals is not None and found.signals.values.size + len(found.signals.t) > MOST_NUMBERS:
@@ -50,6 +53,16 @@ def answer(question: ImportQuestion) -> dict[str, object]:
             raise ValueError(found.problem)
         _write(Path(question["out"]), found, found.signals, joints)
     return {"recording": _document(found, joints)}
+
+
+@contextmanager
+def _temporary_files_in(folder: Path) -> Iterator[None]:
+    """Let what is read on the way lie beside the upload, so that it is removed with it, however this process ends."""
+    before, tempfile.tempdir = tempfile.tempdir, str(folder)
+    try:
+        yield
+    finally:
+        tempfile.tempdir = before
 
 
 def _candidates(columns: Sequence[ColumnOverview]) -> list[str]:

@@ -5,13 +5,12 @@ Nothing is kept between two requests: the page sends the file again with what a 
 
 from collections.abc import Sequence
 from pathlib import Path
-from tempfile import TemporaryDirectory
 from typing import Annotated, Any, Final, NamedTuple
 
 from fastapi import APIRouter, Form, HTTPException, UploadFile
 from pydantic import ValidationError
 
-from app.api.deps import Clinician, Db, LivePart, ReadingsPart, ReplacedFilesPart
+from app.api.deps import Clinician, Db, LivePart, ReadingsPart, ReplacedFilesPart, SettingsPart
 from app.api.foreign_files import read_or_refuse, whole_sentence
 from app.api.page_session import LOOKS, ClinicianInSession, any_session
 from app.api.routes.signal_uploads import MOST_SIGNAL_BYTES, harmless_name
@@ -26,6 +25,7 @@ from app.signals.joint_names import WHOLE_BODY, joint_label
 from app.signals.overview import Role
 from app.store.database import Database
 from app.store.files.name_conflicts import SameName, log_details
+from app.store.files.temporary_folders import temporary_folder
 from app.store.keeping.patient_files import add_patient_file
 from app.store.log import write_log
 from app.texts import Text, from_document
@@ -109,6 +109,7 @@ class Upload(NamedTuple):
 async def view_recording(
     files: list[UploadFile],
     _person: Clinician,
+    settings: SettingsPart,
     readings: ReadingsPart,
     options: Annotated[str, Form(max_length=200_000)] = "{}",
 ) -> RecordingOverview:
@@ -120,8 +121,8 @@ async def view_recording(
     corrected = _parsed(options)
 
     def look() -> RecordingOverview:
-        with TemporaryDirectory(prefix="bodydrive-import-") as folder:
-            upload = _written(Path(folder), files)
+        with temporary_folder(settings.state, "import") as folder:
+            upload = _written(folder, files)
             return _overview(upload, _read(upload, corrected, ""))
 
     return await readings.run(look)
@@ -132,6 +133,7 @@ async def import_recording(
     files: list[UploadFile],
     person: ClinicianInSession,
     *,
+    settings: SettingsPart,
     database: Db,
     replaced: ReplacedFilesPart,
     readings: ReadingsPart,
@@ -146,10 +148,10 @@ async def import_recording(
     corrected = _parsed(options)
 
     def keep() -> str:
-        with TemporaryDirectory(prefix="bodydrive-import-") as folder:
-            upload = _written(Path(folder), files)
+        with temporary_folder(settings.state, "import") as folder:
+            upload = _written(folder, files)
             replaced.check_name("file", upload.stored_name, same_name)
-            out = Path(folder, upload.stored_name)
+            out = folder / upload.stored_name
             _read(upload, corrected, str(out))
             content = out.read_bytes()
         with database.reading() as db:

@@ -101,14 +101,18 @@ def test_a_recording_becomes_that_of_no_patient_whose_session_began_while_it_was
     in_session: Any, settings: Any, monkeypatch: Any
 ) -> None:
     read = recording_imports._read
+    folders = []
 
-    def meanwhile(*given: Any) -> Any:
+    def meanwhile(upload: Any, *given: Any) -> Any:
         in_session.begin_session("B-12")
-        return read(*given)
+        folders.append(upload.folder.parent)
+        return read(upload, *given)
 
     monkeypatch.setattr(recording_imports, "_read", meanwhile)
     said = in_session.refused(409, "POST", "/equipment/files/import", **sent(("arm.csv", GERMAN)))
     assert said.startswith("B-12 was opened")
+    (folder,) = folders
+    assert (folder.parent, folder.exists()) == (settings.state, False)  # where a deletion removes what was left
     assert not settings.files.exists() or not list(settings.files.iterdir())
 
 
