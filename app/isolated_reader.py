@@ -13,7 +13,7 @@ from typing import Any, Final
 from app.child_process import ChildEndedError, ChildLimits, ask_once, command, prepare_child, questions, respond
 from app.texts import Text, from_document, text_of, to_document
 
-LIMITS: Final = ChildLimits(computing=60, file_size=50_000_000)
+LIMITS: Final = ChildLimits(computing=60, file_size=200_000_000)  # an upload of 64 MB, as numbers of 64 bits
 LONGEST_WAIT: Final = 120.0  # s
 FAILED: Final = Text("reading-failed")
 COMMAND: Final = command("app.isolated_reader")

@@ -46,4 +46,4 @@ def test_a_reader_that_hangs_is_ended(module, monkeypatch):
 
 def test_a_reader_has_limits_of_memory_computing_and_files(module):
     body = "import resource as r; return {n: r.getrlimit(getattr(r, 'RLIMIT_' + n))[0] for n in ('AS', 'CPU', 'FSIZE')}"
-    assert read_isolated(module(body), {}) == {"AS": 3_000_000_000, "CPU": 60, "FSIZE": 50_000_000}
+    assert read_isolated(module(body), {}) == {"AS": 3_000_000_000, "CPU": 60, "FSIZE": 200_000_000}

@@ -125,8 +125,9 @@ def _result(progress: Progress, profile: CalibrationProfile) -> dict[str, Any]:
         {
             **joint.model_dump(mode="json", include=fields),
             "span": joint.span,
-            "has_to_be_repeated": joint.has_to_be_repeated,
-            "advice": joint.advice,
+            # The short calibration has no step for some joints: nobody is asked to repeat one.
+            "has_to_be_repeated": joint.has_to_be_repeated and joint.name in steps,
+            "advice": joint.advice if joint.name in steps else None,
             "dead_zone": joint.thresholds[0],
             "full": joint.thresholds[1],
             "map": joint.map,
@@ -143,7 +144,7 @@ def _result(progress: Progress, profile: CalibrationProfile) -> dict[str, Any]:
             "name": name,
             "label": labels[name],
             "step": steps.get(name),
-            "has_to_be_repeated": True,
+            "has_to_be_repeated": name in steps,
             "advice": reason,
         }
         for name, reason in joints_without_map(profile).items()

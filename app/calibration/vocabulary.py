@@ -145,9 +145,9 @@ UPRIGHT_VOCABULARY: dict[str, Control] = {
 def standard_parameters(profile: CalibrationProfile) -> DriveParameters:
     """Return the standard vocabulary on `profile`, with the dead-zones and fulls that the calibration suggests.
 
-    It is that of the paper, or the one of trunk, head and shoulders where these four were calibrated and neither elbow
-    was. A joint whose direction is not known is not bound, unless no joint's direction is: without prompts, only other
-    people's maps have one.
+    It is that of the paper, or the one of trunk, head and shoulders where these four were prompted and neither elbow
+    was, or where these four have a direction and neither elbow has. A joint whose direction is not known is not bound,
+    unless no joint's direction is: without prompts, only other people's maps have one.
     """
     gestures = tuple(
         Gesture(name=joint.name, joint=joint.name, dead_zone=joint.thresholds[0], full=joint.thresholds[1])
@@ -155,9 +155,13 @@ def standard_parameters(profile: CalibrationProfile) -> DriveParameters:
     )
     directed = [joint.name for joint in profile.joints if joint.has_direction]
     names = directed or [gesture.name for gesture in gestures]
-    is_upright = UPRIGHT_VOCABULARY.keys() <= set(directed) and not any(name in directed for name in STOP_TOGETHER)
+    prompted = [joint.name for joint in profile.joints if joint.prompted]
+    is_upright = any(
+        UPRIGHT_VOCABULARY.keys() <= set(known) and not any(name in known for name in STOP_TOGETHER)
+        for known in (prompted, directed)
+    )
     vocabulary = UPRIGHT_VOCABULARY if is_upright else PAPER_VOCABULARY
     bindings = [Binding(control=control, gestures=(name,)) for name, control in vocabulary.items() if name in names]
-    if all(name in names for name in STOP_TOGETHER):
+    if not is_upright and all(name in names for name in STOP_TOGETHER):
         bindings.append(Binding(control="stop", gestures=STOP_TOGETHER))
     return DriveParameters(profile=profile, gestures=gestures, bindings=tuple(bindings))

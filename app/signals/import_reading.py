@@ -4,7 +4,10 @@ The Parquet file is a recording of this program: `t` in seconds, and columns JOI
 and the name that the column had.
 """
 
-from collections.abc import Mapping, Sequence
+import tempfile
+from collections.abc import Iterator, Mapping, Sequence
+from contextlib import contextmanager
+from dataclasses import replace
 from pathlib import Path
 from typing import Any, Final, TypedDict
 
@@ -13,6 +16,7 @@ import numpy as np
 from app.signals.import_options import ImportOptions
 from app.signals.joint_names import channel_names, proposed_joints
 from app.signals.overview import ColumnOverview, FileOverview, overview
+from app.signals.parquet_names import MOST_NUMBERS
 from app.signals.signals import ReadingOptions, Signals
 from app.texts import Text, to_document
 
@@ -38,14 +42,27 @@ def answer(question: ImportQuestion) -> dict[str, object]:
     options = ImportOptions.model_validate(question["options"])
     chosen = {channel.column: channel.joint for channel in options.channels or ()}
     reading = ReadingOptions(options.time, options.unit, options.rate, tuple(chosen) or None, options.part)
-    found = overview(Path(question["file"]), None, reading)
+    with _temporary_files_in(Path(question["file"]).parent):
+        found = overview(Path(question["file"]), None, reading)
     candidates = _candidates(found.columns)
     joints = {**proposed_joints(candidates), **chosen}
+    if found.signals is not None and found.signals.values.size + len(found.signals.t) > MOST_NUMBERS:
+        found = replace(found, problem=Text("signals-numbers", file=question["file"], most=MOST_NUMBERS))
     if question["out"]:
-        if found.signals is None:
+        if found.signals is None or found.problem is not None:
             raise ValueError(found.problem)
         _write(Path(question["out"]), found, found.signals, joints)
     return {"recording": _document(found, joints)}
+
+
+@contextmanager
+def _temporary_files_in(folder: Path) -> Iterator[None]:
+    """Let what is read on the way lie beside the upload, so that it is removed with it, however this process ends."""
+    before, tempfile.tempdir = tempfile.tempdir, str(folder)
+    try:
+        yield
+    finally:
+        tempfile.tempdir = before
 
 
 def _candidates(columns: Sequence[ColumnOverview]) -> list[str]:

@@ -17,9 +17,12 @@ SHORTEST: Final = 3  # letters of a word that names a joint
 LONGEST: Final = 60  # letters of a joint: the name of a channel is longer by its number
 WORD: Final = re.compile(r"[A-Z]+(?![a-z])|[A-Z]?[a-z]+")  # LeftForeArm, EMG
 SIDES: Final = {
-    **dict.fromkeys(("left", "l", "lt", "links", "linke", "linker", "izquierda", "izquierdo", "izq"), "left"),
-    **dict.fromkeys(("right", "r", "rt", "rechts", "rechte", "rechter", "derecha", "derecho", "der"), "right"),
+    **dict.fromkeys(("left", "l", "lt", "izquierda", "izquierdo", "izq"), "left"),
+    **dict.fromkeys(("links", "linke", "linken", "linker", "linkes"), "left"),
+    **dict.fromkeys(("right", "r", "rt", "derecha", "derecho", "der"), "right"),
+    **dict.fromkeys(("rechts", "rechte", "rechten", "rechter", "rechtes"), "right"),
 }
+ARTICLE: Final = "der"  # in German; in Spanish the right side, with at most an axis behind it
 PARTS: Final = {
     "shoulder": (
         *("shoulder", "sho", "upa", "upperarm", "humerus", "deltoid", "arm"),
@@ -115,8 +118,16 @@ def _joint_of(name: str) -> str | None:
         return None
     if match is not None and re.fullmatch(r"[a-z_]+", match["joint"]) and len(match["joint"]) <= LONGEST:
         return match["joint"]  # as this program names channels
-    side = next((SIDES[word] for word in words if word in SIDES), None)
+    side = _side_of(words)
     return part if part in IN_THE_MIDDLE or side is None else f"{side}_{part}"
+
+
+def _side_of(words: Sequence[str]) -> str | None:
+    """Return the side that the words of a name say, None where they say none."""
+    for word, behind in zip(words, [*words[1:], ""], strict=True):
+        if word in SIDES and (word != ARTICLE or not behind or behind in OF_NO_PART):
+            return SIDES[word]
+    return None
 
 
 def _name_of(name: str) -> str:

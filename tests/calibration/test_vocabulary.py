@@ -51,6 +51,9 @@ def test_without_elbows_trunk_and_head_take_their_controls():
     *four, elbow = profile.joints
     unprompted = elbow.model_copy(update={"prompted": False})
     assert bound(profile.model_copy(update={"joints": (*four, unprompted)})) == upright
+    by_others = unprompted.model_copy(update={"map": "prior"})
+    elbows = [by_others, by_others.model_copy(update={"name": "left_elbow"})]
+    assert bound(profile.model_copy(update={"joints": (*four, *elbows)})) == upright
     assert bound(profile.model_copy(update={"joints": tuple(four)})) == upright
     assert bound(profile.model_copy(update={"joints": tuple(four[1:])})) == {
         ("u2+", ("right_shoulder",)),

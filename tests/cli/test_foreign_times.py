@@ -94,17 +94,17 @@ def test_bursts_and_whole_seconds_are_decoded_as_even_samples_and_said(folder, t
 
 @pytest.mark.skipif(not CASES.is_dir(), reason="the files of other laboratories are not here")
 @pytest.mark.parametrize(
-    ("name", "words", "sample_rate"),
+    ("name", "words", "sample_rate", "active"),
     [
-        ("control", "", 50.0),
-        ("burst-arrival", "come in bursts", 50.0),
-        ("stamps-of-1-s", "the time of the sample before", 50.0),
-        ("minutes", "looks like minutes", None),
-        ("epoch-ns", "in nanoseconds", 50.0),
-        ("jump-of-200000-s", "line 1203: t jumps there", None),
+        ("control", "", 50.0, 543),
+        ("burst-arrival", "come in bursts", 50.0, 543),
+        ("stamps-of-1-s", "the time of the sample before", 50.0, 136),
+        ("minutes", "looks like minutes", None, None),
+        ("epoch-ns", "in nanoseconds", 50.0, 68),
+        ("jump-of-200000-s", "line 1203: t jumps there", None, None),
     ],
 )
-def test_the_files_that_were_seen(name, words, sample_rate, folder):
+def test_the_files_that_were_seen(name, words, sample_rate, active, folder):
     profile, file, layout = folder / "profile.json", CASES / f"signals-{name}.csv", CASES / "signals.layout.json"
     assert invoke("calibrate", CASES / "signals-control.csv", "--layout", layout, "--out", profile).exit_code == 0
     decoded = invoke("decode", file, "--profile", profile, "--out", folder / "commands.csv", "--json")
@@ -113,3 +113,5 @@ def test_the_files_that_were_seen(name, words, sample_rate, folder):
         return
     assert json.loads(decoded.stdout)["sample_rate"] == sample_rate
     assert words in decoded.stderr
+    commands = np.genfromtxt(folder / "commands.csv", delimiter=",", names=True)
+    assert (commands["elbow_activation"] > 0).sum() == pytest.approx(active, abs=2)

@@ -19,6 +19,7 @@ SCRIPTS = {
     "page_help": "every page has its module and its name, says what it is for in three sentences, and has a drawing",
     "pages/arrivals": "the Shirt page says why nothing arrives",
     "pages/first_path": "review begins with a task that can be compared, and says what counts",
+    "pages/import_recording": "what is stored is what was shown, for the session whose page this is",
     "pages/layout_drafts": "each layout has its own unsaved changes, and another one of its id has none",
     "pages/layout_document": "the editor of layouts changes places, joints and groups, and names places on the body",
     "pages/obstacle_link": "a calibration that does not fit leads to a new one",

@@ -5,26 +5,27 @@ Nothing is kept between two requests: the page sends the file again with what a 
 
 from collections.abc import Sequence
 from pathlib import Path
-from tempfile import TemporaryDirectory
 from typing import Annotated, Any, Final, NamedTuple
 
 from fastapi import APIRouter, Form, HTTPException, UploadFile
 from pydantic import ValidationError
 
-from app.api.deps import Clinician, Db, LivePart, ReadingsPart, ReplacedFilesPart
+from app.api.deps import Clinician, Db, LivePart, ReadingsPart, ReplacedFilesPart, SettingsPart
 from app.api.foreign_files import read_or_refuse, whole_sentence
-from app.api.page_session import OF_CLINIC, any_session
+from app.api.page_session import LOOKS, ClinicianInSession, any_session
 from app.api.routes.signal_uploads import MOST_SIGNAL_BYTES, harmless_name
 from app.layout import USUAL_JOINTS, Joint, joint_title
 from app.news import News
 from app.quantities import Document
 from app.sentences import one_sentence
+from app.session.page_session import require_page_session
 from app.signals.bids_motion import CHANNELS, SIDECAR
 from app.signals.import_options import ImportOptions, TimeUnit
 from app.signals.joint_names import WHOLE_BODY, joint_label
 from app.signals.overview import Role
 from app.store.database import Database
 from app.store.files.name_conflicts import SameName, log_details
+from app.store.files.temporary_folders import temporary_folder
 from app.store.keeping.patient_files import add_patient_file
 from app.store.log import write_log
 from app.texts import Text, from_document
@@ -104,10 +105,11 @@ class Upload(NamedTuple):
 
 
 @router.post("/overview")
-@any_session(OF_CLINIC)
+@any_session(LOOKS)
 async def view_recording(
     files: list[UploadFile],
     _person: Clinician,
+    settings: SettingsPart,
     readings: ReadingsPart,
     options: Annotated[str, Form(max_length=200_000)] = "{}",
 ) -> RecordingOverview:
@@ -119,19 +121,19 @@ async def view_recording(
     corrected = _parsed(options)
 
     def look() -> RecordingOverview:
-        with TemporaryDirectory(prefix="bodydrive-import-") as folder:
-            upload = _written(Path(folder), files)
+        with temporary_folder(settings.state, "import") as folder:
+            upload = _written(folder, files)
             return _overview(upload, _read(upload, corrected, ""))
 
     return await readings.run(look)
 
 
 @router.post("/import", status_code=201)
-@any_session(OF_CLINIC)
 async def import_recording(
     files: list[UploadFile],
-    person: Clinician,
+    person: ClinicianInSession,
     *,
+    settings: SettingsPart,
     database: Db,
     replaced: ReplacedFilesPart,
     readings: ReadingsPart,
@@ -146,12 +148,14 @@ async def import_recording(
     corrected = _parsed(options)
 
     def keep() -> str:
-        with TemporaryDirectory(prefix="bodydrive-import-") as folder:
-            upload = _written(Path(folder), files)
+        with temporary_folder(settings.state, "import") as folder:
+            upload = _written(folder, files)
             replaced.check_name("file", upload.stored_name, same_name)
-            out = Path(folder, upload.stored_name)
+            out = folder / upload.stored_name
             _read(upload, corrected, str(out))
             content = out.read_bytes()
+        with database.reading() as db:
+            require_page_session(db)  # another session may have begun while it was read
         try:
             name = replaced.put("file", upload.stored_name, content, same_name)
         except OSError as error:

@@ -9,6 +9,7 @@ import pyarrow.parquet as pq
 import pytest
 from session.same_reader import read_here
 
+from app.api.routes import recording_imports
 from app.hardware.shirt.playback import read_frames
 from app.signals.foreign import conversion, xlsx
 from app.signals.foreign.recording import MissingLibraryError
@@ -94,6 +95,25 @@ def test_a_taken_name_is_asked_about(signed_in: Any) -> None:
     assert (answer.status_code, answer.json()["choice"]["proposed"]) == (409, "arm-2.parquet")
     both = signed_in.good("POST", "/equipment/files/import?same_name=keep-both", **form)
     assert both == {"name": "arm-2.parquet"}
+
+
+def test_a_recording_becomes_that_of_no_patient_whose_session_began_while_it_was_read(
+    in_session: Any, settings: Any, monkeypatch: Any
+) -> None:
+    read = recording_imports._read
+    folders = []
+
+    def meanwhile(upload: Any, *given: Any) -> Any:
+        in_session.begin_session("B-12")
+        folders.append(upload.folder.parent)
+        return read(upload, *given)
+
+    monkeypatch.setattr(recording_imports, "_read", meanwhile)
+    said = in_session.refused(409, "POST", "/equipment/files/import", **sent(("arm.csv", GERMAN)))
+    assert said.startswith("B-12 was opened")
+    (folder,) = folders
+    assert (folder.parent, folder.exists()) == (settings.state, False)  # where a deletion removes what was left
+    assert not settings.files.exists() or not list(settings.files.iterdir())
 
 
 def test_a_recording_of_bids_motion_comes_with_what_describes_it(signed_in: Any) -> None:

@@ -3,7 +3,11 @@
 import pytest
 from api.fake_clinic import Clinic
 
+from app.api.calibration_view import view_of
+from app.calibration.script import short_script
 from app.layout import Channel, Joint, ShirtLayout
+from app.session.calibration.calibration_progress import Progress
+from building import make_profile
 
 CHANNELS = {"trunk": 2, "head": 2, "right_shoulder": 1, "left_shoulder": 1, "right_wrist": 2}
 SEEN = ShirtLayout(
@@ -68,3 +72,26 @@ def test_a_clinic_begins_with_the_whole_one(owned: Clinic) -> None:
     use_camera(owned)
     assert owned.good("GET", "/calibration")["short"] is False
     assert owned.good("POST", "/calibration/restart", json={"short": True})["short"] is True
+
+
+def test_a_joint_without_a_step_is_not_asked_for_again() -> None:
+    profile = make_profile(joints=("right_wrist", *PROMPTED))
+    still = {"grade": "repeat", "prompted": False}
+    joints = [joint.model_copy(update=still if joint.name == "right_wrist" else {}) for joint in profile.joints]
+    progress = Progress(
+        layout=profile.layout,
+        steps=short_script(profile.layout),
+        current="result",
+        status={},
+        running=None,
+        started_run=None,
+        profile=profile.model_copy(update={"joints": tuple(joints)}),
+        accepted=False,
+        others=0,
+        earlier=None,
+        short=True,
+    )
+    shown = view_of(progress).result
+    assert shown is not None
+    wrist = next(joint for joint in shown["joints"] if joint["name"] == "right_wrist")
+    assert (wrist["step"], wrist["has_to_be_repeated"], wrist["advice"]) == (None, False, None)

@@ -105,9 +105,9 @@ function Contents({ store, overview }) {
 }
 
 /** @param {{store: ImportStore}} foot */
-function Foot({ store: { overview, channels, isReading, isSending, store } }) {
+function Foot({ store: { overview, channels, isRead, isSending, store } }) {
   const isHidden = !overview.value;
-  const isOff = isReading.value || isSending.value || !channels.value.length || Boolean(overview.value?.problem);
+  const isOff = !isRead.value || isSending.value || !channels.value.length || Boolean(overview.value?.problem);
   /** @param {string} words @param {string} kind @param {boolean} isUsed */
   const button = (words, kind, isUsed) =>
     h(

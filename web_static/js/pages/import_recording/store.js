@@ -17,11 +17,13 @@ const AS_THE_FILE_SAYS = { part: null, time: null, unit: null, rate: null, chann
 
 /** @param {import("../../main.js").App} app @param {AbortSignal} left of the page */
 export function importStore(app, left) {
+  const { api } = app; // the page's own instance: its changes name the session that this page was opened for
   const files = signal(/** @type {File[]} */ ([]));
   const corrections = signal(AS_THE_FILE_SAYS);
   const overview = signal(/** @type {RecordingOverview | null} */ (null));
   const problem = signal("");
   const isReading = signal(false);
+  const isRead = signal(false); // whether the overview is that of the file with all corrections
   const isSending = signal(false);
   /** The columns that become channels, each with its joint. */
   const channels = computed(() => corrections.value.channels ?? (overview.value ? channelsOf(overview.value) : []));
@@ -39,33 +41,39 @@ export function importStore(app, left) {
     const request = ++requests;
     problem.value = "";
     isReading.value = true;
+    isRead.value = false;
     /** @type {RecordingOverview | null} */
     let answer = null;
     let words = "";
     try {
       const sent = form(corrections.value.channels);
-      answer = /** @type {RecordingOverview} */ (await app.api.call("POST", "/equipment/files/overview", sent));
+      answer = /** @type {RecordingOverview} */ (await api.call("POST", "/equipment/files/overview", sent));
     } catch (error) {
       words = failureWords(error);
     }
     if (request !== requests || left.aborted) return; // a person has corrected something else meanwhile
     isReading.value = false;
+    isRead.value = answer !== null;
     problem.value = words;
     overview.value = answer ?? overview.value;
   };
 
   /** @param {File[]} chosen */
   const choose = (chosen) => {
+    requests++; // what is still being read is of another file
     files.value = chosen;
     corrections.value = AS_THE_FILE_SAYS;
     overview.value = null;
+    isReading.value = false;
     if (chosen.length) read();
   };
 
   /** Correct something, and read the file again with that. @param {Partial<Corrections>} corrected */
   const correct = (corrected) => {
-    corrections.value = { ...corrections.value, ...corrected };
-    if (corrections.value.channels?.length !== 0) read();
+    const next = { ...corrections.value, ...corrected };
+    const others = next.channels?.filter(({ column }) => column !== next.time) ?? null; // the time is no channel
+    corrections.value = { ...next, channels: others };
+    if (others?.length !== 0) read();
   };
 
   /** Leave a column in or out. @param {string} column @param {boolean} isIn */
@@ -92,14 +100,14 @@ export function importStore(app, left) {
     isSending.value = true;
     try {
       const stored = await sendUnderName(app.question, (sameName) =>
-        app.api.call("POST", `/equipment/files/import?same_name=${sameName}`, form(channels.value)),
+        api.call("POST", `/equipment/files/import?same_name=${sameName}`, form(channels.value)),
       );
       if (stored) {
         const { name } = /** @type {StoredRecording} */ (stored);
         app.toasts.show(t("source-added", { file: name }));
-        if (isUsed) {
-          await app.api.put("/equipment/shirt", { kind: "replay", file: name, loop: true });
-          app.go("#/shirt");
+        if (isUsed && !left.aborted) {
+          await api.put("/equipment/shirt", { kind: "replay", file: name, loop: true });
+          if (!left.aborted) app.go("#/shirt");
         }
       }
     } catch (error) {
@@ -114,6 +122,7 @@ export function importStore(app, left) {
     overview,
     problem,
     isReading,
+    isRead,
     isSending,
     channels,
     choose,
