@@ -8055,7 +8055,6 @@ export interface components {
             columns: components["schemas"]["RecordingColumn"][];
             time: string | null;
             unit: ("s" | "ms" | "us" | "ns" | "min" | "h" | "d") | null;
-            is_stated: boolean;
             rate: number | null;
             seconds: number | null;
             message: string;

@@ -97,7 +97,6 @@ def _document(found: FileOverview, joints: Mapping[str, str]) -> dict[str, objec
         ],
         "time": found.time,
         "unit": found.unit,
-        "is_stated": found.is_stated,
         "rate": None if signals is None else signals.sample_rate,
         "seconds": None if signals is None else float(signals.t[-1] - signals.t[0]),
         "message": _said(None if signals is None else signals.damage),

@@ -78,7 +78,6 @@ class RecordingOverview(Document):
     columns: list[RecordingColumn]
     time: str | None  # the column of times; null where there is none, or where it is a question
     unit: TimeUnit | None  # of the times
-    is_stated: bool  # whether the file, or a person, says the unit
     rate: float | None  # Hz; null where a person must correct something first
     seconds: float | None
     message: str  # how the times were read, what was mended and what was left out

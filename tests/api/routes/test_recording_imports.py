@@ -35,7 +35,7 @@ def shown(clinic: Any, *files: tuple[str, bytes | str], **options: Any) -> Any:
 def test_a_recording_is_shown_and_nothing_is_stored(in_session: Any, settings: Any) -> None:
     found = shown(in_session, ("Arm 1.csv", GERMAN))
     assert (found["name"], found["kind"], found["parts"]) == ("Arm-1.parquet", "CSV", [])
-    assert (found["time"], found["unit"], found["is_stated"], found["rate"]) == ("Zeit (ms)", "ms", True, 50.0)
+    assert (found["time"], found["unit"], found["rate"]) == ("Zeit (ms)", "ms", 50.0)
     assert (found["rows"], found["seconds"], found["problem"]) == (COUNT, pytest.approx(3.98), "")
     assert found["dialect"] == "It was read with semicolons between columns and decimal commas."
     assert "/tmp" not in json.dumps(found)
