@@ -11,7 +11,7 @@ from typing import NamedTuple, Protocol
 import numpy as np
 from numpy.typing import NDArray
 
-from app.messages import FRESH_PERIODS
+from app.messages import ALIVE, FRESH_PERIODS
 
 ROUNDING = 1e-6  # s by which times that should be equal differ
 PATIENCE = 0.03  # s for which a row waits for other streams: the chair takes a frame older than 0.05 s for none (S4)
@@ -46,6 +46,7 @@ class StreamSamples:
         self.is_regular = is_regular
         self.waiting: deque[StreamSample] = deque(maxlen=MOST_WAITING)
         self.newest = -math.inf  # s, the time of the newest sample
+        self._arrived: float | None = None  # s, when the newest sample arrived
         self._held_t = -math.inf
         self._missing: Sequence[float] = [math.nan] * channels
         self._held: Sequence[float] = self._missing
@@ -55,7 +56,7 @@ class StreamSamples:
         if sample.t < self.newest - LONGEST_LAG:
             self.waiting.clear()
             self._held_t, self._held = -math.inf, self._missing
-        self.newest = sample.t
+        self.newest, self._arrived = sample.t, sample.arrived
         self.waiting.append(sample)
 
     def at(self, t: float, ahead: float = 0.0) -> Sequence[float]:
@@ -64,10 +65,15 @@ class StreamSamples:
             self._held_t, self._held, _ = self.waiting.popleft()
         return self._missing if self._is_stale(t, self._held_t) else self._held
 
-    def is_complete(self, t: float, ahead: float) -> bool:
-        """Return whether no sample up to `ahead` (s) after `t` (s) is still to come: it is here, or none comes."""
+    def is_complete(self, t: float, ahead: float, now: float) -> bool:
+        """Return whether no sample up to `ahead` (s) after `t` (s) is still to come at `now` (s).
+
+        It is here, or the stream has brought nothing for `ALIVE`. How far its newest sample lies behind says nothing:
+        some senders send many samples at once, and those of one stream come before those of the other.
+        """
         is_here = self.newest + self.period > t + ahead + ROUNDING
-        return is_here or not self.is_regular or self._is_stale(t, self.newest)
+        is_silent = self._arrived is not None and now - self._arrived > ALIVE
+        return is_here or not self.is_regular or is_silent
 
     def _is_stale(self, t: float, newest: float) -> bool:
         return t - newest > FRESH_PERIODS * self.period + ROUNDING
@@ -139,7 +145,7 @@ class LedRows:
         if not leader.waiting:
             return None
         sample = leader.waiting[0]
-        if now < sample.arrived + PATIENCE - ROUNDING and self._awaited(sample) is not None:
+        if now < sample.arrived + PATIENCE - ROUNDING and self._awaited(sample, now) is not None:
             return None
         leader.waiting.popleft()
         steps = self._times.step(sample.t)
@@ -157,13 +163,13 @@ class LedRows:
         if not leader.waiting:
             return self._leader, math.inf
         sample = leader.waiting[0]
-        awaited = self._awaited(sample)
+        awaited = self._awaited(sample, now)
         return awaited, 0.0 if awaited is None else max(0.0, sample.arrived + PATIENCE - now)
 
-    def _awaited(self, sample: StreamSample) -> int | None:
-        """Return another stream that the row of a sample of the leader waits for, None when all have come."""
+    def _awaited(self, sample: StreamSample, now: float) -> int | None:
+        """Return another stream that the row of a sample of the leader waits for at `now` (s), None when none."""
         for i, stream in enumerate(self._streams):
-            if i != self._leader and not stream.is_complete(sample.t, self._half):
+            if i != self._leader and not stream.is_complete(sample.t, self._half, now):
                 return i
         return None
 

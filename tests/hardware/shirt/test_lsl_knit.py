@@ -84,7 +84,8 @@ def calibrated(t, values, rate, rows):
 @pytest.mark.parametrize("parts", [[slice(0, 20)], [slice(0, 7), slice(7, 20)]], ids=["one-stream", "two-streams"])
 @pytest.mark.parametrize("where", ["stand-in", "pylsl"])
 def test_a_knit_over_lsl_is_calibrated_and_decoded_as_the_file(network, monkeypatch, where, parts):
-    monkeypatch.setattr(stream_join, "PATIENCE", ANSWER)  # a busy machine brings one stream later than the other
+    for limit in ("PATIENCE", "ALIVE"):  # a busy machine brings one stream later than the other
+        monkeypatch.setattr(stream_join, limit, ANSWER)
     recorded = read_signals(FOLDER / "signals.csv", LAYOUT)
     file, rate = recorded.values.astype(np.float32), recorded.sample_rate
     t, values = streamed(network(where), recorded, parts)

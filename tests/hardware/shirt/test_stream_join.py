@@ -147,10 +147,26 @@ def test_a_row_waits_no_longer_than_its_patience_and_a_silent_stream_is_nan_afte
     silent = [bool(np.isnan(row.values[1])) for row in found]
     assert silent == [False] * int(FRESH_PERIODS) + [True] * 4
     put(lead, 8 * PERIOD, 8)
-    assert rows.next(8 * PERIOD) is not None, "nobody waits for a stream that is silent"
-    put(other, 9 * PERIOD, 59)
-    put(lead, 9 * PERIOD, 9)
-    assert rows.next(9 * PERIOD).values.tolist() == [9, 59]
+    assert rows.next(8 * PERIOD) is None
+    put(lead, 9 * PERIOD, 9, arrived=1.0)
+    assert len(all_rows(rows, 1.0)) == 2, "nobody waits for a stream that is silent"
+    put(other, 10 * PERIOD, 60, arrived=1.1)
+    put(lead, 10 * PERIOD, 10, arrived=1.1)
+    assert rows.next(1.1).values.tolist() == [10, 60]
+
+
+@pytest.mark.parametrize("first", [0, 1])
+def test_samples_that_come_many_at_once_are_joined_whichever_stream_comes_first(first):
+    streams = [stream(), stream()]
+    rows = LedRows(streams, 0)
+    found = []
+    for begin in range(0, 96, 32):
+        for place, number in enumerate((first, 1 - first)):
+            arrived = (begin + 32) * PERIOD + place * PATIENCE / 2
+            for i in range(begin, begin + 32):
+                put(streams[number], i * PERIOD, 100 * number + i, arrived=arrived)
+            found += all_rows(rows, arrived)
+    assert [row.values.tolist() for row in found] == [[i, 100 + i] for i in range(96)]
 
 
 def test_a_time_that_is_far_ahead_is_another_clock_and_no_loss():
