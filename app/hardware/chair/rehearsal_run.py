@@ -2,11 +2,11 @@
 
 import signal
 import subprocess
-import sys
 from collections.abc import Callable
 from pathlib import Path
 from tempfile import TemporaryDirectory
 
+from app.child_process import command
 from app.clock import Clock
 from app.faults import State
 from app.geometry import STANDSTILL, Twist
@@ -44,7 +44,7 @@ class Rehearsal:
         if self._whill is not None:
             options += ["--device", self._whill.device, "--tread", TREAD, "--backward-motor", "right"]
         self._process = subprocess.Popen(
-            [sys.executable, "-m", "app.hardware.chair.receive", *options],
+            command("app.hardware.chair.receive", *options),
             stdout=subprocess.DEVNULL,
             stderr=subprocess.PIPE,
             text=True,
