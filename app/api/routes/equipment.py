@@ -9,7 +9,6 @@ from pydantic import Field
 
 from app.api.deps import (
     Anyone,
-    Clinician,
     ComputingPart,
     ControlPart,
     Db,
@@ -21,7 +20,7 @@ from app.api.deps import (
     SessionFlowPart,
     UploadsPart,
 )
-from app.api.page_session import OF_CLINIC, ClinicianInSession, any_session
+from app.api.page_session import ClinicianInSession
 from app.api.parts import parts_for
 from app.api.routes.signal_uploads import FileView, keep_upload, list_files
 from app.computing_process import ComputingProcess
@@ -338,10 +337,9 @@ async def mark_unused(
 
 
 @router.post("/files", status_code=201)
-@any_session(OF_CLINIC)
 async def bring_file(
     file: UploadFile,
-    person: Clinician,
+    person: ClinicianInSession,
     *,
     state: State,
     database: Db,
@@ -353,7 +351,8 @@ async def bring_file(
 ) -> EquipmentView:
     """Store a file of recorded signals or of a recorded body; `same_name`: what to do when its name is taken.
 
-    The multipart field `file`: CSV or Parquet, at most 64 MB and 40 million numbers.
+    The multipart field `file`: CSV or Parquet, at most 64 MB and 40 million numbers. It belongs to the patient whose
+    session is open.
     """
     stored = await uploads.run(keep_upload, replaced, computing, file.filename or "", file.file, same_name)
 
