@@ -18,6 +18,13 @@
   const dialog = element?.closest("[role=dialog]");
   const isSolid = dialog && /^rgb\(/.test(getComputedStyle(dialog).backgroundColor);
   const behind = isSolid ? [...document.querySelectorAll("main")].filter((one) => !one.contains(dialog)) : [];
+  // A drawing shows nothing beyond its box, but axe counts what the box cuts off.
+  const box = element?.getBoundingClientRect();
+  for (const drawing of box ? document.querySelectorAll("svg") : []) {
+    const { left, right, top, bottom } = drawing.getBoundingClientRect();
+    const isApart = left >= box.right || right <= box.left || top >= box.bottom || bottom <= box.top;
+    if (isApart && getComputedStyle(drawing).overflow === "hidden") behind.push(drawing);
+  }
   for (const one of behind) one.style.visibility = "hidden";
   return axe.run(element ?? document, {
     iframes: false,
