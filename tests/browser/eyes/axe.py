@@ -16,7 +16,7 @@ THEMES = {
     "forced": {"color_scheme": "dark", "contrast": "more", "forced_colors": "active"},
 }
 CELLS = [(size, theme) for theme in THEMES for size in SIZES]
-# Nobody drives by, or draws a plan on, a screen as small as a telephone's: a trial, also a halted one, is not looked at.
+# Nobody drives by, or draws a plan on, a screen as small as a telephone's; a halted trial is one that is driven.
 NOT_ON_TELEPHONES = {"drive", "drive, runs", "drive, stopped", "drive, screen out of reach", "plans, edit"}
 # The 3D picture in a frame is another page. One character is text too, and a sign is text: their contrast is decided
 # like any other's; the other options are axe's own.
