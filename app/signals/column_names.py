@@ -1,6 +1,7 @@
 """Names of columns: the unit that stands in a name, and the column that a channel's name means."""
 
 import re
+from collections import Counter
 from collections.abc import Iterable, Sequence
 from typing import Final
 
@@ -39,7 +40,7 @@ def is_unit(text: str) -> bool:
 
 
 def is_units(cells: Sequence[str]) -> bool:
-    """Return whether the cells of a line are units; at least half of them must be filled."""
+    """Return whether the cells of a line are units: at least half are filled, the first of these and most are known."""
     filled = [cell for cell in cells if cell.strip("()[] ")]
     if 2 * len(filled) < len(cells) or not filled or not is_unit(filled[0]):
         return False
@@ -58,6 +59,19 @@ def bare_name(name: str) -> tuple[str, str]:
 def bare_names(names: Iterable[str]) -> list[tuple[str, str]]:
     """Return all names without their units, and the units."""
     return [bare_name(name) for name in names]
+
+
+def unique_names(names: Iterable[str]) -> list[str]:
+    """Return names of which no two are equal: those that were there before have a number behind, `EMG (2)`."""
+    found: dict[str, None] = {}
+    count: Counter[str] = Counter()
+    for name in names:
+        own = name
+        while own in found:
+            count[name] += 1
+            own = f"{name} ({count[name] + 1})"
+        found[own] = None
+    return list(found)
 
 
 def words_of(name: str) -> tuple[str, ...]:

@@ -59,9 +59,7 @@ def read_table(
         read, rate, _, note = converted(path, kind, part)
     except OSError as error:
         raise _unreadable(path, error) from error
-    if isinstance(read, FileTable):
-        return read.only(only)
-    table = read_text_content(read, str(path), text, only)
+    table = read.only(only) if isinstance(read, FileTable) else read_text_content(read, str(path), text, only)
     return replace(table, rate=table.rate or rate, note=both(note, table.note))
 
 

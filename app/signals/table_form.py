@@ -11,7 +11,7 @@ from itertools import pairwise
 from typing import Final, Literal, NamedTuple
 
 from app.signals.cells import is_like_a_number, is_missing, is_moment, is_number, number_of
-from app.signals.column_names import bare_names
+from app.signals.column_names import bare_names, unique_names
 from app.signals.csv_dialect import (
     SEPARATORS,
     UTF_8,
@@ -22,7 +22,6 @@ from app.signals.csv_dialect import (
     names_of,
     without_mark,
 )
-from app.signals.foreign.recording import unique_names
 from app.signals.logged_lines import LogForm, log_form, plain_text
 from app.signals.row_places import RowPlaces
 from app.signals.table_header import TIME, Line, header_of, stated_rate

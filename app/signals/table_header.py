@@ -11,9 +11,8 @@ from itertools import pairwise
 from typing import Final, NamedTuple
 
 from app.signals.cells import is_like_a_number, is_moment, number_of
-from app.signals.column_names import is_units
+from app.signals.column_names import is_units, unique_names
 from app.signals.csv_dialect import BLANKS, cells_of, is_comment, names_of, without_mark
-from app.signals.foreign.recording import unique_names
 from app.signals.sampling_times import FASTEST, SLOWEST
 from app.signals.time_names import SECONDS, time_names, unit_of_word
 

@@ -5,6 +5,7 @@ fewer samples end earlier.
 """
 
 from collections.abc import Collection, Sequence
+from dataclasses import replace
 from itertools import pairwise
 
 import numpy as np
@@ -45,7 +46,7 @@ def joined_groups(table: FileTable, times: Collection[str]) -> FileTable:
     if not any(len(stream.t) for stream in streams):
         raise ValueError(Text("signals-no-rows", file=table.places.file))
     recording = joined([stream for stream in streams if len(stream.t)])
-    return FileTable(dict(recording.columns), recording.units, table.places, table.dialect, table.note, table.rate)
+    return replace(table, columns=dict(recording.columns), units=recording.units)
 
 
 def _stream(table: FileTable, time: str, channels: Sequence[str]) -> SampledStream:

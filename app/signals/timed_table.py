@@ -1,6 +1,7 @@
 """Reads a table with its times, for all that is no shirt: movements of a body or a head, trajectories."""
 
 from collections.abc import Collection
+from dataclasses import replace
 from pathlib import Path
 
 import numpy as np
@@ -35,4 +36,4 @@ def read_timed(
     table = read_table(path, only={*times, *columns.values()} if times else None)
     t = time_of_table(table, time, unit, columns.values()).t
     wanted = {name: table.columns[column] for name, column in columns.items() if column in table.columns}
-    return t, FileTable(wanted, table.units, table.places, table.dialect, table.note)
+    return t, replace(table, columns=wanted)

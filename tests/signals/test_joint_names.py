@@ -33,7 +33,8 @@ def test_a_name_says_its_joint(names, joints):
 
 @given(st.lists(st.text(max_size=40), min_size=1, max_size=64, unique=True))
 def test_any_names_give_channels_of_a_layout(names):
-    joints = [proposed_joints(names)[name] for name in names]
+    proposed = proposed_joints(names)
+    joints = [proposed[name] for name in names]
     assert len(set(joints)) <= MAX_JOINTS
     layout = layout_from_names(Path("walk.parquet"), channel_names(joints))
     assert [channel.joint for channel in layout.channels] == joints

@@ -39,4 +39,6 @@ say(app, news("trial", { trial: 9 }));
 assert.equal(times, 1);
 onNews(page([news("trial", { trial: 9 }), news("trial")]), new AbortController().signal, ofTrial, () => times++);
 assert.equal(times, 2);
+onNews(page(null), new AbortController().signal, ofTrial, () => times++); // the page is shown
+assert.equal(times, 2);
 console.log("the conditions of news hold");

@@ -73,9 +73,11 @@ export class App extends TypedEvents {
   warning = null;
   /** Whether the drive page shows a running trial or drive: then it shows faults itself. */
   showsTrial = false;
-  /** What changed since the page that is about to be shown began to read. @type {import("./live/news.js").News[]} */
+  /**
+   * What changed since the page that is about to be shown began to read; null: it is shown.
+   * @type {import("./live/news.js").News[] | null}
+   */
   earlyNews = [];
-  #isShown = false;
   #leave = new AbortController();
   #shown = ""; // the address of the page that is shown
   /** @type {{floorplan: string, path: string} | null} the trial that the drive page shall start */
@@ -227,7 +229,6 @@ export class App extends TypedEvents {
     const leave = (this.#leave = new AbortController());
     const address = this.#readRoute();
     this.#shown = address;
-    this.#isShown = false;
     this.earlyNews = [];
     const { page: name, rest } = this.route;
     this.dispatchEvent(new Event("route"));
@@ -246,8 +247,7 @@ export class App extends TypedEvents {
       if (!leave.signal.aborted) this.#failed(error);
     }
     if (leave.signal.aborted) return;
-    this.#isShown = true;
-    this.earlyNews = [];
+    this.earlyNews = null;
     this.#focusHeading();
   }
 
@@ -365,7 +365,7 @@ export class App extends TypedEvents {
 
   /** @param {import("./live/news.js").News} news of what changed on the server */
   #changed(news) {
-    if (!this.#isShown) this.earlyNews.push(news);
+    this.earlyNews?.push(news);
     if (news.what === "sign-in") this.#whoAmI();
     if (news.what === "deletion" && this.subject && news.patient === this.subject.patient) this.#deleted(this.subject);
     const patient = this.session?.patient?.id;

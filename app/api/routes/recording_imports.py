@@ -13,7 +13,7 @@ from pydantic import ValidationError
 from app.api.deps import Clinician, Db, LivePart, ReadingsPart, ReplacedFilesPart, SettingsPart
 from app.api.foreign_files import read_or_refuse, whole_sentence
 from app.api.page_session import LOOKS, ClinicianInSession, any_session
-from app.api.routes.signal_uploads import MOST_SIGNAL_BYTES, harmless_name
+from app.api.routes.signal_uploads import MOST_SIGNAL_BYTES, harmless_name, put_file
 from app.layout import USUAL_JOINTS, Joint, joint_title
 from app.news import News
 from app.quantities import Document
@@ -155,11 +155,7 @@ async def import_recording(
             content = out.read_bytes()
         with database.reading() as db:
             require_page_session(db)  # another session may have begun while it was read
-        try:
-            name = replaced.put("file", upload.stored_name, content, same_name)
-        except OSError as error:
-            problem = error.strerror or str(error)
-            raise HTTPException(409, Text("api-upload-not-kept", name=upload.stored_name, problem=problem)) from error
+        name = put_file(replaced, upload.stored_name, content, same_name)
         _note(database, person.name, name, len(content), same_name)
         return name
 

@@ -74,13 +74,17 @@ def keep_upload(
     columns = _parquet_names(computing, data) if safe.endswith(".parquet") else _csv_names(data[:HEAD])
     if columns is None or not time_names(columns) or len(columns) < 2:
         raise HTTPException(422, Text("api-upload-columns", name=safe, count=MOST_NUMBERS))
+    return FileView(name=put_file(shelf, safe, data, same_name), kind=_kind(columns), size=len(data))
+
+
+def put_file(shelf: ReplacedFiles, name: str, content: bytes, same_name: SameName) -> str:
+    """Store a file and return its name; errors as of `ReplacedFiles.put`, and 409 when it cannot be written."""
     try:
-        stored = shelf.put("file", safe, data, same_name)
+        return shelf.put("file", name, content, same_name)
     except OSError as error:
         raise HTTPException(
-            409, Text("api-upload-not-kept", name=safe, problem=error.strerror or str(error))
+            409, Text("api-upload-not-kept", name=name, problem=error.strerror or str(error))
         ) from error
-    return FileView(name=stored, kind=_kind(columns), size=len(data))
 
 
 def harmless_name(name: str, longest: int = 60) -> str:

@@ -6,7 +6,8 @@ from typing import Final
 
 import numpy as np
 
-from app.signals.foreign.recording import OWN_TIME, ForeignRecording, unique_names
+from app.signals.column_names import unique_names
+from app.signals.foreign.recording import OWN_TIME, ForeignRecording
 from app.texts import Text
 
 JOINT: Final = re.compile(r"^\s*(?:ROOT|JOINT)\s+(.+?)\s*$")

@@ -47,5 +47,4 @@ def _converted(file: str, kind: str, part: str | None, _changed: int, _size: int
         if answer["table"] != PARQUET:
             return Conversion(table.read_bytes(), rate, parts, note)
         read = read_parquet_table(table, (), None)
-    places = read.places._replace(file=file)
-    return Conversion(replace(read, places=places, note=note, rate=rate), rate, parts, note)
+    return Conversion(replace(read, places=read.places._replace(file=file)), rate, parts, note)

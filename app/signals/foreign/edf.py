@@ -6,14 +6,8 @@ from typing import Any
 
 import numpy as np
 
-from app.signals.foreign.recording import (
-    ForeignRecording,
-    SampledStream,
-    even_times,
-    library,
-    of_streams,
-    unique_names,
-)
+from app.signals.column_names import unique_names
+from app.signals.foreign.recording import ForeignRecording, SampledStream, even_times, library, of_streams
 
 
 def read(file: Path, part: str | None = None) -> ForeignRecording:

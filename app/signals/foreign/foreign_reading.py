@@ -1,11 +1,9 @@
 """Reads one foreign file in the process of `app.isolated_reader`, and writes what it holds in a form of our own."""
 
-from collections.abc import Sequence
 from importlib import import_module
 from pathlib import Path
 from typing import Final, TypedDict
 
-from app.signals.file_table import FilePart
 from app.signals.foreign.kinds import KINDS
 from app.signals.foreign.recording import ForeignRecording, ForeignText, MissingLibraryError
 from app.texts import Text, text_of, to_document
@@ -48,15 +46,16 @@ def answer(question: FileQuestion) -> dict[str, object]:
         raise ValueError(Text("signals-foreign-damaged", file=file, kind=kind.name)) from error
     if isinstance(read, ForeignText):
         (folder / TEXT).write_text(read.text, encoding="utf-8")
-        return _answer(TEXT, read.note, read.rate, read.parts)
+        return _answer(TEXT, read)
     if not read.columns or len(next(iter(read.columns.values()))) < FEWEST:
         raise ValueError(Text("signals-foreign-empty", file=file, kind=kind.name))
     _write(folder / PARQUET, read)
-    return _answer(PARQUET, read.note, read.rate, read.parts)
+    return _answer(PARQUET, read)
 
 
-def _answer(table: str, note: Text | None, rate: float | None, parts: Sequence[FilePart]) -> dict[str, object]:
-    return {"table": table, "note": None if note is None else to_document(note), "rate": rate, "parts": [*parts]}
+def _answer(table: str, read: ForeignRecording | ForeignText) -> dict[str, object]:
+    note = None if read.note is None else to_document(read.note)
+    return {"table": table, "note": note, "rate": read.rate, "parts": [*read.parts]}
 
 
 def _write(path: Path, recording: ForeignRecording) -> None:

@@ -14,16 +14,9 @@ from typing import Any, Final
 import numpy as np
 from numpy.typing import NDArray
 
+from app.signals.column_names import unique_names
 from app.signals.file_table import listed
-from app.signals.foreign.recording import (
-    OWN_TIME,
-    ForeignRecording,
-    SampledStream,
-    even_times,
-    library,
-    of_streams,
-    unique_names,
-)
+from app.signals.foreign.recording import OWN_TIME, ForeignRecording, SampledStream, even_times, library, of_streams
 from app.signals.time_names import SECONDS, time_names, time_rank, unit_of_word
 from app.texts import Text
 

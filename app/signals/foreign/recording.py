@@ -1,7 +1,6 @@
 """What a reader of a foreign file gives: columns of one length with their units, and the time."""
 
-from collections import Counter
-from collections.abc import Iterable, Mapping, Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field, replace
 from importlib import import_module
 from pathlib import Path
@@ -10,6 +9,7 @@ from typing import Any, Final, NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
+from app.signals.column_names import unique_names
 from app.signals.file_table import FilePart, listed
 from app.texts import Text
 
@@ -73,15 +73,14 @@ def of_streams(file: Path, streams: Sequence[SampledStream], part: str | None) -
     ValueError
         One sentence when there is no stream of this name.
     """
-    names = unique_names(stream.name for stream in streams)
-    chosen = [stream for name, stream in zip(names, streams, strict=True) if part is None or name == part]
     if not streams:
         return ForeignRecording({})
-    if not chosen:
-        raise part_missing(file, part or "", names)
-    counts = zip(names, streams, strict=True)
-    parts = tuple(FilePart(name, len(stream.names), len(stream.t)) for name, stream in counts)
-    return replace(joined(chosen), parts=parts if len(parts) > 1 else ())
+    named = dict(zip(unique_names(stream.name for stream in streams), streams, strict=True))
+    if part is not None and part not in named:
+        raise part_missing(file, part, [*named])
+    parts = tuple(FilePart(name, len(stream.names), len(stream.t)) for name, stream in named.items())
+    recording = joined(streams if part is None else [named[part]])
+    return replace(recording, parts=parts if len(parts) > 1 else ())
 
 
 def part_missing(file: Path, part: str, names: Sequence[str]) -> ValueError:
@@ -119,13 +118,3 @@ def newest_samples(stream: SampledStream, t: NDArray[np.float64]) -> NDArray[np.
     missing = (newest < 0) | (t - stream.t[np.maximum(newest, 0)] > OLDEST * period)
     values[missing] = np.nan
     return values
-
-
-def unique_names(names: Iterable[str]) -> list[str]:
-    """Return names of which no two are equal: later ones have their number behind."""
-    count: Counter[str] = Counter()
-    found = []
-    for name in names:
-        count[name] += 1
-        found.append(name if count[name] == 1 else f"{name} ({count[name]})")
-    return found

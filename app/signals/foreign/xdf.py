@@ -6,8 +6,9 @@ from typing import Any
 
 import numpy as np
 
+from app.signals.column_names import unique_names
 from app.signals.file_table import listed
-from app.signals.foreign.recording import ForeignRecording, SampledStream, library, of_streams, unique_names
+from app.signals.foreign.recording import ForeignRecording, SampledStream, library, of_streams
 from app.texts import Text
 
 FEWEST = 2  # samples of a stream

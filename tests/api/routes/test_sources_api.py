@@ -1,5 +1,6 @@
 """Simulated trials are marked in each answer, and never in one curve or warning with worn ones."""
 
+import pytest
 from api.fake_clinic import WHERE, Clinic
 from api.running_app import running
 
@@ -15,6 +16,15 @@ WORDS = {
     "simulator": "Simulated shirt (simulated person), virtual chair: practice only",
     "udp": "Worn shirt, virtual chair",
 }
+
+
+@pytest.fixture
+def patient(owned: Clinic) -> int:
+    """Return the id of the patient whose session is open in a real clinic, and who has consented to recordings."""
+    number: int = owned.begin_session()["id"]
+    with owned.rows() as rows:
+        rows.consent(number, "recording")
+    return number
 
 
 def test_a_real_clinic_begins_without_a_shirt_and_keeps_a_chosen_one(owned: Clinic, real_settings: Settings) -> None:
@@ -50,10 +60,7 @@ def test_anybody_may_ask_whether_a_page_is_to_be_marked(owned: Clinic) -> None:
     assert owned.good("GET", "/equipment/practice") == {"kind": None}
 
 
-def test_trials_say_their_source_and_worn_and_simulated_ones_are_never_mixed(owned: Clinic) -> None:
-    patient = owned.begin_session()["id"]
-    with owned.rows() as rows:
-        rows.consent(patient, "recording")
+def test_trials_say_their_source_and_worn_and_simulated_ones_are_never_mixed(owned: Clinic, patient: int) -> None:
     made: dict[str, list[int]] = {}
     for config in (WORN, SIMULATED, WORN):
         kind = str(config["kind"])
@@ -87,10 +94,8 @@ def test_trials_say_their_source_and_worn_and_simulated_ones_are_never_mixed(own
     assert runs == {**dict.fromkeys(made["udp"], "udp"), **dict.fromkeys(made["simulator"], "simulator")}
 
 
+@pytest.mark.usefixtures("patient")
 def test_a_simulated_calibration_drives_no_worn_shirt_and_no_calibration_mixes_both(owned: Clinic) -> None:
-    patient = owned.begin_session()["id"]
-    with owned.rows() as rows:
-        rows.consent(patient, "recording")
     owned.good("PUT", "/equipment/shirt", json=SIMULATED)
     owned.calibrate()
     assert owned.process.parameters is not None
@@ -104,11 +109,9 @@ def test_a_simulated_calibration_drives_no_worn_shirt_and_no_calibration_mixes_b
     assert result["message"].startswith("Some steps were recorded in a shirt that nobody wears")
 
 
+@pytest.mark.usefixtures("patient")
 def test_a_calibration_whose_sensors_had_to_tremble_drives_none_that_may_stay_constant(owned: Clinic) -> None:
     """Safety S5: the page says so, as the control process does; such a calibration is from before `liveness`."""
-    patient = owned.begin_session()["id"]
-    with owned.rows() as rows:
-        rows.consent(patient, "recording")
     owned.good("PUT", "/equipment/shirt", json=CAMERA)
     owned.calibrate()
     assert owned.process.parameters is not None
@@ -120,10 +123,7 @@ def test_a_calibration_whose_sensors_had_to_tremble_drives_none_that_may_stay_co
     assert owned.process.parameters is None
 
 
-def test_what_a_camera_saw_is_in_no_curve_and_no_calibration_of_a_worn_shirt(owned: Clinic) -> None:
-    patient = owned.begin_session()["id"]
-    with owned.rows() as rows:
-        rows.consent(patient, "recording")
+def test_what_a_camera_saw_is_in_no_curve_and_no_calibration_of_a_worn_shirt(owned: Clinic, patient: int) -> None:
     owned.good("PUT", "/equipment/shirt", json=CAMERA)
     owned.calibrate()
     trial = owned.drive_trial()

@@ -32,7 +32,7 @@ export function concerns(news, interest) {
  */
 export function onNews(app, left, interest, act) {
   app.live.addEventListener("changed", ({ detail }) => void (concerns(detail, interest) && act()), { signal: left });
-  if (app.earlyNews.some((news) => concerns(news, interest))) act();
+  if (app.earlyNews?.some((news) => concerns(news, interest))) act();
 }
 
 /** @param {number | null | undefined} id @param {number | undefined} wanted */

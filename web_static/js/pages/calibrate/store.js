@@ -50,7 +50,7 @@ export function calibrationStore(app, patient, first, left) {
     return fitted?.accepted || !missing.value.length ? fitted : null;
   });
   let timer = 0; // until the next step begins; 0: it does not begin by itself
-  let startedHere = ""; // the step that this page began last: only that page goes on by itself to driving
+  let hasStarted = false; // whether this page began a step: only that page goes on by itself to driving
   let questions = 0;
   let newest = 0; // the question whose answer is shown
 
@@ -120,7 +120,7 @@ export function calibrationStore(app, patient, first, left) {
     const { short, steps } = calibration.value;
     const isFitted = result.value !== null && !result.value.accepted;
     const isGood = steps.every(({ status, message }) => status === "done" && message === "");
-    return isFitted && isGood && short && app.me?.demo && isAuto.value && startedHere !== "";
+    return isFitted && isGood && short && app.me?.demo && isAuto.value && hasStarted;
   };
   /** @param {boolean} on */
   const setAuto = (on) => {
@@ -134,7 +134,7 @@ export function calibrationStore(app, patient, first, left) {
   const go = (id) => call(() => api.post("/calibration/go", { step: id }));
   /** @param {string} id of a step */
   const start = (id) => {
-    startedHere = id;
+    hasStarted = true;
     return call(() => api.post(`/calibration/steps/${id}/start`));
   };
   /** @param {string} id of a step */
@@ -177,7 +177,7 @@ export function calibrationStore(app, patient, first, left) {
   const fitEarlier = () => finish(() => api.post("/calibration/fit-earlier"), drive);
   const accept = () => finish(() => api.post("/calibration/accept"), showControls);
   const driveByShort = () => {
-    startedHere = "";
+    hasStarted = false;
     return finish(
       () => api.post("/calibration/accept"),
       () => {

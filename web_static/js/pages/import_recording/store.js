@@ -18,7 +18,8 @@ const AS_THE_FILE_SAYS = { part: null, time: null, unit: null, rate: null, chann
 /** @param {import("../../main.js").App} app @param {AbortSignal} left of the page */
 export function importStore(app, left) {
   const { api } = app; // the page's own instance: its changes name the session that this page was opened for
-  const files = signal(/** @type {File[]} */ ([]));
+  /** @type {File[]} */
+  let files = [];
   const corrections = signal(AS_THE_FILE_SAYS);
   const overview = signal(/** @type {RecordingOverview | null} */ (null));
   const problem = signal("");
@@ -32,7 +33,7 @@ export function importStore(app, left) {
   /** @param {Channel[] | null} chosen */
   const form = (chosen) => {
     const sent = new FormData();
-    for (const file of files.value) sent.append("files", file);
+    for (const file of files) sent.append("files", file);
     sent.append("options", JSON.stringify({ ...corrections.value, channels: chosen }));
     return sent;
   };
@@ -61,7 +62,7 @@ export function importStore(app, left) {
   /** @param {File[]} chosen */
   const choose = (chosen) => {
     requests++; // what is still being read is of another file
-    files.value = chosen;
+    files = chosen;
     corrections.value = AS_THE_FILE_SAYS;
     overview.value = null;
     isReading.value = false;
@@ -78,13 +79,10 @@ export function importStore(app, left) {
 
   /** Leave a column in or out. @param {string} column @param {boolean} isIn */
   const setChannel = (column, isIn) => {
-    const joints = jointsOf(overview.value);
-    const names = channels.value.map((channel) => channel.column);
-    const next = isIn ? [...names, column] : names.filter((name) => name !== column);
-    const order = overview.value?.columns.map(({ name }) => name) ?? [];
-    const sorted = next.sort((one, other) => order.indexOf(one) - order.indexOf(other));
-    const own = new Map(channels.value.map((channel) => [channel.column, channel.joint]));
-    correct({ channels: sorted.map((name) => ({ column: name, joint: own.get(name) ?? joints[name] })) });
+    const chosen = new Map(channels.value.map((channel) => [channel.column, channel.joint]));
+    const all = overview.value?.columns ?? [];
+    const next = all.filter(({ name }) => (name === column ? isIn : chosen.has(name)));
+    correct({ channels: next.map(({ name, joint }) => ({ column: name, joint: chosen.get(name) ?? joint ?? "" })) });
   };
 
   /** @param {string} column @param {string} joint */
@@ -117,7 +115,6 @@ export function importStore(app, left) {
   };
 
   return {
-    files,
     corrections,
     overview,
     problem,
@@ -138,9 +135,4 @@ function channelsOf({ columns }) {
   return columns
     .filter(({ role, joint }) => role === "channel" && joint !== null)
     .map(({ name, joint }) => ({ column: name, joint: joint ?? "" }));
-}
-
-/** @param {RecordingOverview | null} overview @returns {Record<string, string>} */
-function jointsOf(overview) {
-  return Object.fromEntries(overview?.columns.map(({ name, joint }) => [name, joint ?? ""]) ?? []);
 }

@@ -7,7 +7,6 @@ const UNITS = ["s", "ms", "us", "ns", "min", "h", "d"];
 const AS_IT_SAYS = "auto"; // options that are no column: others have a number
 const NONE = "none";
 const WORKBOOK = "XLSX";
-const RATES = { min: 10, max: 5000, step: "any" }; // Hz
 
 /**
  * @typedef {import("./store.js").ImportStore} ImportStore
@@ -62,12 +61,12 @@ export function TimesCard({ store: { corrections, correct }, overview }) {
       { label: t("import-recording-rate-by-hand"), hint: t("import-recording-rate-hint") },
       h("input", {
         type: "number",
-        ...RATES,
+        step: "any", // whether such a rate is possible, the server says
         inputmode: "decimal",
         value: corrected.rate ?? rate ?? "",
         onChange: (/** @type {Event} */ { currentTarget }) => {
-          const { value, validity } = /** @type {HTMLInputElement} */ (currentTarget);
-          if (validity.valid) correct({ rate: value === "" ? null : Number(value) });
+          const input = /** @type {HTMLInputElement} */ (currentTarget);
+          if (input.reportValidity()) correct({ rate: input.value === "" ? null : Number(input.value) });
         },
       }),
     ),
