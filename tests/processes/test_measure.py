@@ -50,7 +50,7 @@ class Measuring:
 
     def now(self):
         with urllib.request.urlopen(f"{self.page}state", timeout=PATIENCE) as answer:
-            return json.load(answer)["now"]
+            return json.load(answer)["headline"]
 
     def stop(self):
         urllib.request.urlopen(f"{self.page}stop", data=b"", timeout=PATIENCE).close()
