@@ -67,11 +67,10 @@ class RealDriveFlow(RunFlow[RunningDrive]):
     ) -> int:
         """Begin a drive and return its id: recorded, armed with the set and the chair document of this hash."""
         async with self._alone():
-            own: dict[str, str] = {"document": document} if document else {}
-            meta: dict[str, object] = {"chair": chair.name, "key_id": chair.key_id, "hash": digest, **own}
-            return await self._arm(
-                session.id, meta, digest, partial(self._add, session, starter, chair, parameters_id, digest, own)
-            )
+            armed_with = {"hash": digest, "document": document} if document else {"hash": digest}
+            meta = {"chair": chair.name, "key_id": chair.key_id, **armed_with}
+            add = partial(self._add, session, starter, chair, parameters_id, armed_with)
+            return await self._arm(session.id, meta, digest, add)
 
     def _add(
         self,
@@ -79,8 +78,7 @@ class RealDriveFlow(RunFlow[RunningDrive]):
         starter: Starter,
         chair: PairedChair,
         parameters_id: int,
-        digest: str,
-        own: Mapping[str, str],
+        armed_with: Mapping[str, str],
         run: SessionRun,
     ) -> RunningDrive:
         with self._database.transaction() as db:
@@ -90,10 +88,10 @@ class RealDriveFlow(RunFlow[RunningDrive]):
                 patient_id=session.patient_id,
                 chair_id=chair.id,
                 parameters_id=parameters_id,
-                digest=digest,
+                digest=armed_with["hash"],
             )
-            what: dict[str, object] = {"drive": drive.id, "chair": chair.id, "parameters": parameters_id}
-            write_log(db, starter.name, "armed", **what, hash=digest, **own)
+            what = {"drive": drive.id, "chair": chair.id, "parameters": parameters_id}
+            write_log(db, starter.name, "armed", **what, **armed_with)
             return RunningDrive(
                 drive.id, session.patient_id, session.id, starter.person_id, starter.screen, run, DriveWatch()
             )

@@ -17,7 +17,7 @@ from app.hardware.chair.chair_document import ASSUMED_SPEED, ASSUMED_TURN_RATE
 from app.hardware.chair.key import new_key, read_key, write_key
 from app.hardware.chair.whill_emulator import EmulatedWhillLine
 
-DOMAIN = 87
+NETWORK = {"CYCLONEDDS_URI": BETWEEN_PROCESSES, "ROS_DOMAIN_ID": "87"}  # of the environment of all outputs
 LOOK_EVERY = 0.002  # s
 LINE_EVERY = 0.1  # s: longest time between two lines
 PAUSE = 0.005  # s
@@ -116,14 +116,14 @@ if find_spec("cyclonedds"):  # not every machine has this library: it is the ext
 
 
 class FarChair(ReceiverProcess):
-    """A receiver with one of the outputs; its lines say what the far end does, "armed" while that moves."""
+    """A receiver with one of the outputs; its lines say what the far end does, "armed" while that moves.
+
+    The environment must have `NETWORK`.
+    """
 
     def __init__(self, folder, output):
         key_file = folder / "7.key"
         write_key(key_file, new_key(7))
-        network = {"CYCLONEDDS_URI": BETWEEN_PROCESSES, "ROS_DOMAIN_ID": str(DOMAIN)}
-        self._before = {name: os.environ.get(name) for name in network}
-        os.environ.update(network)
         self.far = FAR_ENDS[output](read_key(key_file).secret)
         super().__init__(folder, 0, *self.far.options, output=output)
         self._is_over = threading.Event()
@@ -135,8 +135,6 @@ class FarChair(ReceiverProcess):
         self._looking.join()
         super().close()
         self.far.close()
-        for name, value in self._before.items():
-            os.environ.pop(name) if value is None else os.environ.update({name: value})
 
     def _look(self):
         clock, last, due = MonotonicClock(), None, 0.0

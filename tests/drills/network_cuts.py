@@ -3,7 +3,7 @@
 import asyncio
 import random
 import tempfile
-from contextlib import closing
+from contextlib import asynccontextmanager, closing
 from itertools import pairwise
 from pathlib import Path
 
@@ -19,6 +19,7 @@ LOOK_ON = 0.62  # s of observation after a cut
 PATIENCE = 2.0  # s for an arming, and for a speed to be reached
 LINE_EVERY = 0.15  # s: longest time between two lines of the receiver
 SPEED, ALMOST = 0.8, 0.799  # m/s: a command carries them as float32
+ARMED = 2  # of a telemetry
 
 
 class Sender(asyncio.DatagramProtocol):
@@ -66,6 +67,35 @@ class Sender(asyncio.DatagramProtocol):
         return last
 
 
+@asynccontextmanager
+async def sender_of(receiver, dice):
+    """Yield what drives this receiver; afterwards both are closed."""
+    key = read_key(receiver.key_file)
+    address = ("127.0.0.1", receiver.config()["port"])
+    loop = asyncio.get_running_loop()
+    transport, sender = await loop.create_datagram_endpoint(lambda: Sender(key, dice), remote_addr=address)
+    try:
+        yield sender
+    finally:
+        transport.close()
+        await asyncio.to_thread(receiver.close)
+
+
+async def driven(receiver, sender, dice, speed, almost):
+    """Arm and drive for a moment, at `almost` a speed at least; return when the last command was sent."""
+    while True:  # a busy machine may disarm the chair
+        while sender.nonce is None or sender.state != 0:
+            sender.ask()
+            await asyncio.sleep(0.05)
+        sender.begin()
+        if await sender.drive(0.0, lambda: sender.state == ARMED) is not None:
+            length = monotonic() + dice.uniform(0.3, 0.4)
+            last = await sender.drive(speed, lambda end=length: monotonic() > end and receiver.newest["v"] > almost)
+            if last is not None:
+                return last
+        sender.nonce = None
+
+
 async def cuts(runs, dice):
     """Cut, in all `runs` times."""
     result = Result("network cut at a random moment", 0.11, 0.31)
@@ -79,35 +109,13 @@ async def _cut(result, watcher, runs, seed):
     dice = random.Random(seed)
     with tempfile.TemporaryDirectory(prefix="bodydrive-cut-") as folder:
         receiver = await asyncio.to_thread(ReceiverProcess, Path(folder))
-        key = read_key(receiver.key_file)
-        address = ("127.0.0.1", receiver.config()["port"])
-        loop = asyncio.get_running_loop()
-        transport, sender = await loop.create_datagram_endpoint(lambda: Sender(key, dice), remote_addr=address)
-        try:
+        async with sender_of(receiver, dice) as sender:
             for _ in range(runs):
                 await _one(result, watcher, receiver, sender, dice)
-        finally:
-            transport.close()
-            await asyncio.to_thread(receiver.close)
-
-
-async def _driven(receiver, sender, dice):
-    """Arm and drive at full speed for a moment; return when the last command was sent."""
-    while True:  # a busy machine may disarm the chair
-        while sender.nonce is None or sender.state != 0:
-            sender.ask()
-            await asyncio.sleep(0.05)
-        sender.begin()
-        if await sender.drive(0.0, lambda: receiver.newest["state"] == "armed") is not None:
-            length = monotonic() + dice.uniform(0.3, 0.4)
-            cut = await sender.drive(SPEED, lambda end=length: monotonic() > end and receiver.newest["v"] > ALMOST)
-            if cut is not None:
-                return cut
-        sender.nonce = None
 
 
 async def _one(result, watcher, receiver, sender, dice):
-    cut = await _driven(receiver, sender, dice)
+    cut = await driven(receiver, sender, dice, SPEED, ALMOST)
     before = waited(receiver.pid)
     await asyncio.sleep(LOOK_ON)
     late = max(watcher.late(cut, cut + LOOK_ON), waited(receiver.pid) - before)

@@ -2,45 +2,44 @@
 
 import asyncio
 import math
+import os
 import random
 import tempfile
 from contextlib import closing
 from itertools import pairwise
 from pathlib import Path
+from unittest.mock import patch
 
-from drills.far_chairs import FAR_ENDS, LINE_EVERY, FarChair
+from drills.far_chairs import FAR_ENDS, LINE_EVERY, NETWORK, FarChair
 from drills.injury import injure_at_random, nothing
-from drills.network_cuts import Sender
-from drills.results import Result, Watcher, waited
+from drills.network_cuts import driven, sender_of
+from drills.results import Result, Watcher, shares, waited
 from drills.rig import rig
 
 from app.clock import monotonic
-from app.hardware.chair.key import read_key
 from app.hardware.chair.packet import STOP
 
 OF_EVERY_OUTPUT = ("silence", "stop", "switch")
 LOOK_ON = 0.75  # s of observation after a fault
 SPEED, ALMOST = 0.3, 0.29  # m/s: what is commanded without a chair document; LUCI takes whole percents
-ARMED = 2  # of a telemetry
 LONGEST_HOLD = 0.3  # s
 STOP_LIMIT = 0.06  # s
 
 
-def distributed(runs):
+def shares_of_outputs(runs):
     """Return, for each output that this machine has, how many of the runs are its own."""
-    names = list(FAR_ENDS)
-    return {name: len(range(number, runs, len(names))) for number, name in enumerate(names) if number < runs}
+    return dict(zip(FAR_ENDS, shares(runs, len(FAR_ENDS)), strict=False))
 
 
 async def output_faults(runs, dice):
     """S3, S6, S21: each fault that can reach the far end, of each output, in turn."""
     result = Result("faults of each output, seen at its far end", LONGEST_HOLD)
-    shares = distributed(runs)
-    with closing(Watcher()) as watcher:
-        of_outputs = (_faults_of(name, result, watcher, share, dice.random()) for name, share in shares.items())
+    outputs = shares_of_outputs(runs)
+    with closing(Watcher()) as watcher, patch.dict(os.environ, NETWORK):
+        of_outputs = (_faults_of(name, result, watcher, share, dice.random()) for name, share in outputs.items())
         await asyncio.gather(*of_outputs)
     result.remark = (
-        f"{', '.join(f'{name} {share}' for name, share in shares.items())}; the second time is that of standstill. "
+        f"{', '.join(f'{name} {share}' for name, share in outputs.items())}; the second time is that of standstill. "
         "Left out: what cuts a WHILL, LUCI or ROS 2 off, so that only they themselves can stop"
     )
     return result
@@ -50,37 +49,15 @@ async def _faults_of(output, result, watcher, runs, seed):
     dice = random.Random(seed)
     with tempfile.TemporaryDirectory(prefix="bodydrive-output-") as folder:
         chair = await asyncio.to_thread(FarChair, Path(folder), output)
-        address = ("127.0.0.1", chair.config()["port"])
-        loop = asyncio.get_running_loop()
-        key = read_key(chair.key_file)
-        transport, sender = await loop.create_datagram_endpoint(lambda: Sender(key, dice), remote_addr=address)
         faults = (*OF_EVERY_OUTPUT, *chair.far.faults)
-        try:
+        async with sender_of(chair, dice) as sender:
             for run in range(runs):
                 await _one(f"{output}, {faults[run % len(faults)]}", result, watcher, chair, sender, dice)
-        finally:
-            transport.close()
-            await asyncio.to_thread(chair.close)
-
-
-async def _driven(chair, sender, dice):
-    """Arm and drive for a moment."""
-    while True:  # a busy machine may disarm the chair
-        while sender.nonce is None or sender.state != 0:
-            sender.ask()
-            await asyncio.sleep(0.05)
-        sender.begin()
-        if await sender.drive(0.0, lambda: sender.state == ARMED) is not None:
-            length = monotonic() + dice.uniform(0.3, 0.4)
-            moves = await sender.drive(SPEED, lambda end=length: monotonic() > end and chair.newest["v"] > ALMOST)
-            if moves is not None:
-                return
-        sender.nonce = None
 
 
 async def _one(name, result, watcher, chair, sender, dice):
     fault = name.rpartition(" ")[2]
-    await _driven(chair, sender, dice)
+    await driven(chair, sender, dice, SPEED, ALMOST)
     before = waited(chair.pid)
     injured = monotonic()
     if fault == "stop":
@@ -124,7 +101,7 @@ async def stop_at_outputs(runs, dice):
     """S6: Stop on the tablet, up to the first slower command at the far end of each output."""
     result = Result("Stop on the tablet, seen at the far end of each output", STOP_LIMIT)
     said = []
-    for output, share in distributed(runs).items():
+    for output, share in shares_of_outputs(runs).items():
         first = len(result.begun)
         await _stops_of(output, result, share, dice)
         times = sorted(result.begun[first:])
@@ -135,6 +112,7 @@ async def stop_at_outputs(runs, dice):
 
 
 async def _stops_of(output, result, runs, dice):
-    async with rig(output=output) as made:
-        for _ in range(runs):
-            await injure_at_random(made, result, dice, lambda: made.control.call("stop", by="tablet"), nothing)
+    with patch.dict(os.environ, NETWORK):
+        async with rig(output=output) as made:
+            for _ in range(runs):
+                await injure_at_random(made, result, dice, lambda: made.control.call("stop", by="tablet"), nothing)

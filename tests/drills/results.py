@@ -57,9 +57,9 @@ class Result:
 SIDE_BY_SIDE = 4  # chairs of a drill with many runs
 
 
-def shares(runs):
-    """Return how many of the runs each chair side by side makes, without chairs that would make none."""
-    return [runs // SIDE_BY_SIDE + (i < runs % SIDE_BY_SIDE) for i in range(min(runs, SIDE_BY_SIDE))]
+def shares(runs, chairs=SIDE_BY_SIDE):
+    """Return how many of the runs each of the chairs makes, without chairs that would make none."""
+    return [runs // chairs + (i < runs % chairs) for i in range(min(runs, chairs))]
 
 
 HEAD = """| drill | runs | worst: stop begun, ms | limit | worst: disarmed, ms | limit | machine late, ms | | remark |

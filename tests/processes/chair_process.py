@@ -5,12 +5,21 @@ import signal
 import subprocess
 import sys
 import threading
+import time
 
 from app.clock import monotonic
 from app.hardware.chair.key import new_key, write_key
 from app.speed_limits import HIGHEST_SPEEDS
 
 PATIENCE = 60.0  # s
+
+
+def wait_until(condition):
+    """Wait until a condition holds."""
+    until = monotonic() + PATIENCE
+    while not condition():
+        assert monotonic() < until, "it did not come to that in time"
+        time.sleep(0.005)
 
 
 class Receiving:

@@ -3,7 +3,6 @@
 import json
 import os
 import pty
-import socket
 import subprocess
 import sys
 import time
@@ -11,7 +10,8 @@ import urllib.request
 
 import pytest
 from drills.far_chairs import BoardEnd
-from processes.chair_process import PATIENCE
+from processes.chair_process import PATIENCE, wait_until
+from processes.served_demo import free_port
 
 from app.hardware.chair.chair_document import joystick_table
 from app.hardware.chair.key import new_key, write_key
@@ -20,14 +20,7 @@ from folders import ROOT
 TRIES = 10
 
 
-def wait_until(condition):
-    until = time.monotonic() + PATIENCE
-    while not condition():
-        assert time.monotonic() < until, "it did not come to that in time"
-        time.sleep(0.01)
-
-
-class Measuring:
+class MeasurementProcess:
     """The program, the terminal that it was started in, and its board."""
 
     def __init__(self, folder):
@@ -36,8 +29,7 @@ class Measuring:
         self.board, self.out = BoardEnd(key.secret), folder / "chair.json"
         self._far, near = pty.openpty()
         command = [sys.executable, "-S", "-m", "app.hardware.chair.chair_measure", "--output", "analog"]
-        with socket.create_server(("127.0.0.1", 0)) as free:
-            place = f"127.0.0.1:{free.getsockname()[1]}"
+        place = f"127.0.0.1:{free_port()}"
         command += ["--key-file", folder / "7.key", *self.board.options, "--out", self.out, "--page", place]
         environment = {**os.environ, "PYTHONPATH": str(ROOT)}
         self.process = subprocess.Popen(command, stdin=near, stdout=subprocess.PIPE, text=True, env=environment)
@@ -50,7 +42,7 @@ class Measuring:
 
     def now(self):
         with urllib.request.urlopen(f"{self.page}state", timeout=PATIENCE) as answer:
-            return json.load(answer)["now"]
+            return json.load(answer)["headline"]
 
     def stop(self):
         urllib.request.urlopen(f"{self.page}stop", data=b"", timeout=PATIENCE).close()
@@ -92,7 +84,7 @@ class Measuring:
 
 @pytest.fixture
 def measuring(tmp_path):
-    made = Measuring(tmp_path)
+    made = MeasurementProcess(tmp_path)
     yield made
     made.close()
 

@@ -4,9 +4,9 @@ import os
 import signal
 import subprocess
 import sys
-import time
 
 import pytest
+from processes.chair_process import wait_until
 from processes.strange_sender import PATIENCE, Receiver, StrangeSender
 
 from app.hardware.chair.reasons import DESCRIPTIONS, Reason
@@ -19,13 +19,6 @@ def chair():
     made = EmulatedWhillLine()
     yield made
     made.close()
-
-
-def wait_until(condition):
-    until = time.monotonic() + PATIENCE
-    while not condition():
-        assert time.monotonic() < until, "it did not come to that in time"
-        time.sleep(0.005)
 
 
 def test_it_drives_measures_and_gives_way_to_a_hand_on_the_chair_s_own_joystick(chair, tmp_path):

@@ -18,6 +18,7 @@ from typing import NamedTuple, NoReturn, TypeGuard
 
 from app.geometry import Twist
 from app.hardware.chair.outputs import FASTEST_TWIST, OutputRefused
+from app.hardware.chair.packet import DIGEST_BYTES
 from app.hardware.chair.readings import TableReport
 
 FULL = 100.0  # percent
@@ -30,7 +31,6 @@ FIELDS = ("version", "name", "dead_band", "forward", "back", "turn", "lag")
 MOST_LETTERS = 80  # of a name
 LARGEST_LAG = 5.0  # s
 SHOWN_DIGITS = 12  # of a document's SHA-256, in hexadecimal
-DIGEST_BYTES = 8  # of it, for the telemetry
 LARGEST_SPEED = {"forward": 6.0, "back": 6.0, "turn": 6.0}  # m/s, m/s, rad/s: a larger one is a mistake
 
 # Without a document the chair is taken for one that full deflection drives at 15 km/h, the fastest that EN 12184 has,

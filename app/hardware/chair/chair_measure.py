@@ -42,7 +42,6 @@ BEFORE = (
     "While it moves, ANY KEY ENDS IT.",
 )
 
-
 # For who walks beside the chair, by what the guided drive waits for: in big words, and what to do.
 BESIDE = {
     DrivePhase.ASKS: ("IT STANDS", "Next: {drive}. Is the floor free? Then say so to who has the keys."),
@@ -101,8 +100,8 @@ class Terminal:
 
 def moment_of(drive: GuidedDrive) -> WalkerMoment:
     """Return what who walks beside the chair reads."""
-    now, todo = BESIDE[drive.phase]
-    return WalkerMoment(now, todo.format(drive=drive.next_drive))
+    headline, instruction = BESIDE[drive.phase]
+    return WalkerMoment(headline, instruction.format(drive=drive.next_drive))
 
 
 def guide(
@@ -189,9 +188,8 @@ def _check_out(out: Path) -> None:
             raise CannotStart(f"there is a file {out} already: give --out another name")
         if not out.parent.is_dir():
             raise CannotStart(f"there is no folder {out.parent}: make it, or correct --out")
-    except (OSError, ValueError) as error:
-        why = why_of(error) if isinstance(error, OSError) else str(error)
-        raise CannotStart(f"--out {out} cannot be made ({why}): give another name") from error
+    except OSError as error:
+        raise CannotStart(f"--out {out} cannot be made ({why_of(error)}): give another name") from error
 
 
 def _page_at(place: tuple[str, int] | None, output: JoystickOutput) -> WalkerPage | None:

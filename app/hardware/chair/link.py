@@ -65,7 +65,7 @@ class ChairLink:
         self._ended = -math.inf
         self._epoch, self._nonce = 0, b""  # of the current arming, and the nonce for which it was made; 0: none yet
         self._digest = self._armed_digest = bytes(DIGEST_BYTES)  # of the parameters: now, and when it was armed
-        self._armed_document = ""  # that the chair told of when it was armed
+        self._armed_document = bytes(DIGEST_BYTES)  # that the chair told of when it was armed; zeros: none
         self._twist = STANDSTILL  # of the newest `drive`
         self._sent: deque[tuple[int, float]] = deque(maxlen=100)  # sequence, when
         self._sent_at = -math.inf
@@ -172,13 +172,12 @@ class ChairLink:
     @property
     def ready(self) -> bool:
         """Whether the chair accepted this arming, and since has had its document and commands without a pause."""
-        return self.telemetry.ready and not self._stalled and self.document == self._armed_document
+        return self.telemetry.ready and not self._stalled and self._document == self._armed_document
 
     @property
     def document(self) -> str:
         """The first 16 hexadecimal digits of the chair document's SHA-256; empty: the chair tells of none."""
-        newest = self.telemetry.newest
-        return newest.document.hex() if newest is not None and any(newest.document) else ""
+        return self._document.hex() if any(self._document) else ""
 
     @property
     def crawls(self) -> bool:
@@ -238,6 +237,12 @@ class ChairLink:
             tick.battery, tick.own_joystick = newest.battery, newest.own_joystick
             tick.measured = int(math.isfinite(newest.measured_v))
 
+    @property
+    def _document(self) -> bytes:
+        """The digest of the chair document that the newest telemetry tells of; zeros: of none."""
+        newest = self.telemetry.newest
+        return bytes(DIGEST_BYTES) if newest is None else newest.document
+
     def _driven(self) -> Twist:
         """Return the speeds that the chair measures, or else those that its receiver commands.
 
@@ -254,7 +259,7 @@ class ChairLink:
         before, self._state = self._state, state
         if state is State.CHECKING:
             self._flags = self._left = 0
-            self._armed_digest, self._armed_document = self._digest, self.document
+            self._armed_digest, self._armed_document = self._digest, self._document
             self._nonce = b""
             self._stalled = self.telemetry.switch_refuted = False
             self.due = t

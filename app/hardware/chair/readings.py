@@ -3,13 +3,14 @@
 import math
 from typing import NamedTuple
 
+from app.hardware.chair.packet import DIGEST_BYTES
 from app.hardware.chair.reasons import Reason
 
 
 class TableReport(NamedTuple):
     """By which chair document an output makes deflections of a joystick out of speeds."""
 
-    digest: bytes = bytes(8)  # the first 8 bytes of the document's SHA-256; zeros: there is none
+    digest: bytes = bytes(DIGEST_BYTES)  # the first bytes of the document's SHA-256; zeros: there is none
     is_crawling: bool = False  # whether one is missing, so that a crawl is commanded at most
 
 

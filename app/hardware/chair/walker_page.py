@@ -1,7 +1,7 @@
 """The page for who walks beside a chair while its joystick is measured: big words, and Stop. Standard library only.
 
 It starts nothing. Anybody who reaches it can stop, as at any screen. Stop goes over the network, so the page says what
-is surer: the chair's own switch, and any key where the program runs.
+is surer: the chair's own switch, and any key where the program runs. It is in English only, as what the program says.
 """
 
 import json
@@ -25,8 +25,8 @@ HTML = """<!doctype html>
 <link rel="stylesheet" href="page.css">
 <script src="page.js" defer></script>
 <main>
-<h1 id="now" role="status">...</h1>
-<p id="todo"></p>
+<h1 id="headline" role="status">...</h1>
+<p id="instruction"></p>
 <button id="stop" type="button">STOP</button>
 <p>Stop goes over the network. Surer are the chair's own switch, and any key where the program runs.</p>
 </main>
@@ -41,7 +41,7 @@ button { flex: 1; min-height: 40vh; font: inherit; font-size: clamp(4rem, 22vw, 
 button { border: 0.5rem solid; border-radius: 1rem; background: CanvasText; color: Canvas; touch-action: manipulation; }
 """
 JAVASCRIPT = """"use strict";
-const [now, todo, stop] = ["now", "todo", "stop"].map((id) => document.getElementById(id));
+const [headline, instruction, stop] = ["headline", "instruction", "stop"].map((id) => document.getElementById(id));
 const TRIES = 5;
 const ENDED = "The program has ended, or the network is gone. Use the chair's own switch, or a key at the program.";
 let heard = performance.now();
@@ -49,8 +49,8 @@ let isStopping = false;
 let lost = "NO ANSWER";
 
 function show(title, sentence) {
-  if (now.textContent !== title) now.textContent = title;
-  todo.textContent = sentence;
+  if (headline.textContent !== title) headline.textContent = title;
+  instruction.textContent = sentence;
 }
 
 async function look() {
@@ -59,7 +59,7 @@ async function look() {
     const state = await answer.json();
     heard = performance.now();
     lost = "NO ANSWER";
-    if (!isStopping) show(state.now, state.todo);
+    if (!isStopping) show(state.headline, state.instruction);
   } catch {
     // it is said below, when that lasts
   }
@@ -102,8 +102,8 @@ FILES = {
 class WalkerMoment(NamedTuple):
     """What the page shows."""
 
-    now: str  # in big words
-    todo: str  # what to do
+    headline: str  # what the chair does
+    instruction: str  # what to do
 
 
 class WalkerPage:

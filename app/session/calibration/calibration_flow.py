@@ -329,14 +329,14 @@ class CalibrationFlow:
         in_use = self._equipment.layout
         if in_use is None or any(row.status != "waiting" for row in rows.values()):
             return None
-        return None if _is_in(session, in_use) else in_use
+        return None if _began_in(session, in_use) else in_use
 
     def _may_be_short(self, layout: ShirtLayout) -> bool:
         return self._equipment.is_camera and has_short_script(layout)
 
     def _is_short(self, session: PatientSession, layout: ShirtLayout) -> bool:
         """Return which calibration was chosen for this layout; before a choice, a demonstration takes the short one."""
-        if session.script is not None and _is_in(session, layout):
+        if session.script is not None and _began_in(session, layout):
             return bool(session.script.get(SHORT))
         return self._demonstration and self._may_be_short(layout)
 
@@ -375,7 +375,7 @@ def _script(layout: ShirtLayout, *, is_short: bool) -> JsonDocument:
     return {**script, SHORT: True} if is_short else script
 
 
-def _is_in(session: PatientSession, layout: ShirtLayout) -> bool:
+def _began_in(session: PatientSession, layout: ShirtLayout) -> bool:
     """Return whether the session's calibration began in this layout."""
     return session.script is not None and session.script["layout"] == layout.model_dump(mode="json")
 

@@ -152,7 +152,7 @@ def test_whatever_happens_while_it_drives_the_joystick_is_let_go(board_and_outpu
     assert moved, "it drove"
     assert moved[-1] - keys.happened_at < 0.2
     assert any(sentence.startswith("ENDED.") for sentence in told), told
-    assert page.moment.now == "OVER"
+    assert page.moment.headline == "OVER"
 
 
 class PageInMemory:
@@ -174,9 +174,9 @@ def test_who_walks_beside_it_reads_what_it_waits_for(phase):
     drive = GuidedDrive(Twist(0.5, 0.8))
     drive.phase = phase
     moment = moment_of(drive)
-    assert moment.now == moment.now.upper()
-    assert "{" not in moment.todo
-    assert "FORWARDS, 5 percent" in moment.todo or phase in (DrivePhase.COUNTS, DrivePhase.ENDED)
+    assert moment.headline == moment.headline.upper()
+    assert "{" not in moment.instruction
+    assert "FORWARDS, 5 percent" in moment.instruction or phase in (DrivePhase.COUNTS, DrivePhase.ENDED)
 
 
 def arrive(near):

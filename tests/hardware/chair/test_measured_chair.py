@@ -15,8 +15,8 @@ from app.hardware.chair.readings import NO_READINGS
 STEP = 0.05  # s
 MARKS = 6.0  # s between the person's two marks
 MOST = Twist(0.5, 0.8)
-LEAST = Twist(0.15, 0.3)  # from where on the chair is as fast as it is asked to be
-NEAR = 0.05  # of the speed that is asked for
+# From which speeds on the chair is how near to the speed that is asked for, as a share of that.
+NEAR = ((Twist(0.15, 0.3), 0.05), (Twist(0.1, 0.2), 0.1))
 
 
 class JoystickChair:
@@ -66,9 +66,10 @@ def test_after_the_guided_drive_the_chair_is_as_fast_as_it_is_asked_to_be(seed):
     rng = random.Random(seed)
     chair = JoystickChair(rng)
     table = table_of(json.dumps(measured(chair)), Path("chair.json"))
-    assert table.most.v > LEAST.v
-    assert table.most.omega > LEAST.omega
-    for _ in range(200):
-        v, omega = rng.uniform(LEAST.v, table.most.v), rng.uniform(LEAST.omega, table.most.omega)
-        assert chair.twist(*table.deflection(Twist(v, 0.0))).v == pytest.approx(v, rel=NEAR)
-        assert chair.twist(*table.deflection(Twist(0.0, -omega))).omega == pytest.approx(-omega, rel=NEAR)
+    for least, near in NEAR:
+        assert table.most.v > least.v
+        assert table.most.omega > least.omega
+        for _ in range(200):
+            v, omega = rng.uniform(least.v, table.most.v), rng.uniform(least.omega, table.most.omega)
+            assert chair.twist(*table.deflection(Twist(v, 0.0))).v == pytest.approx(v, rel=near)
+            assert chair.twist(*table.deflection(Twist(0.0, -omega))).omega == pytest.approx(-omega, rel=near)

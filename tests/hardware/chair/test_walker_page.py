@@ -34,7 +34,7 @@ def test_it_serves_itself_and_what_happens_now(page):
         assert answer.headers["Content-Type"] == f"{kind}; charset=utf-8"
         assert answer.headers["Content-Security-Policy"].startswith("default-src 'self'")
     page.moment = WalkerMoment("IT MOVES", "Walk beside it.")
-    assert json.loads(ask(page, "GET", "/state")[1]) == {"now": "IT MOVES", "todo": "Walk beside it."}
+    assert json.loads(ask(page, "GET", "/state")[1]) == page.moment._asdict()
     assert ask(page, "GET", "/none")[0].status == 404
 
 
@@ -48,7 +48,7 @@ def test_stop_is_taken_once_and_nothing_else_stops(page):
     assert not page.take_stop()
 
 
-class Released:
+class FakeOutput:
     """An output that says whether it was released."""
 
     is_closed = False
@@ -60,7 +60,7 @@ class Released:
 def test_without_its_address_it_is_one_sentence_and_the_output_is_released(page):
     port = int(page.address.rstrip("/").rpartition(":")[2])
     for place in (("127.0.0.1", port), ("no such host", 80)):
-        output = Released()
+        output = FakeOutput()
         with pytest.raises(CannotStart, match="choose another --page") as refused:
             _page_at(place, output)
         assert "\n" not in str(refused.value)
