@@ -16,7 +16,7 @@ SHORT = (  # one place of each kind of page
     "review", "review trial", "settings, paired", "plans", "people, invite", "log", "chair", "patient's screen",
     "review, warnings", "session compare, verdicts",
 )  # fmt: skip
-WITHOUT_STOP = ("stereo", "tablet", "patient's screen", "share link", "docs")  # pages that no clinician drives by
+WITHOUT_STOP = ("stereo", "tablet", "phone", "patient's screen", "share link", "docs")  # no clinician drives by them
 
 
 @pytest.fixture(params=ZOOMS)
